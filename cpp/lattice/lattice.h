@@ -1,0 +1,37 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#pragma once
+#include <string>
+#include <vector>
+
+#include "base/context.h"
+#include "mesh/hex_complex.h"
+#include "polycube/polycube.h"
+#include "shape/feature_shape.h"
+
+namespace hexfeature {
+
+/// What went wrong when the polycube was rasterised (V5, V6), and what would keep the colliding charts apart.
+struct FillReport {
+  bool ok = false;
+  std::string reason;
+  std::vector<int> charts;               ///< to blame
+  std::vector<Separation> separations;   ///< suggested order constraints
+};
+
+/// The mapping model: unit cells of the polycube's inside, their nodes at integer coordinates (as doubles), boundary
+/// quads with their chart, nodes with their place on the feature shape (corner, arc, chart, inside), blocks.
+struct Lattice {
+  FillReport report;
+  HexComplex complex;  ///< empty unless report.ok
+  Polycube polycube;   ///< the one that was filled
+};
+
+/// Rasterise each chart's rectilinear polygon, fill between opposite charts by parity, check V5 (Euler number) and V6
+/// (boundary is exactly the charts' cells, right sides, manifold).
+Lattice fill_lattice(const FeatureShape& shape, const Polycube& polycube, int solid, Context& context);
+
+/// quantize + fill with lazy separation: solve, fill, separate what collides, again (<= 25 rounds); then with
+/// 0.7 h and 0.5 h. Never throws for a failed fill: the report says why.
+Lattice build_lattice(const SurfaceMesh& mesh, const FeatureShape& shape, const QuantizeOptions& options, Context& context);
+
+}  // namespace hexfeature
