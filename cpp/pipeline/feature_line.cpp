@@ -1,0 +1,130 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#include "pipeline/feature_line.h"
+
+#include <algorithm>
+#include <set>
+
+#include "fit/fit.h"
+
+namespace hexfeature {
+namespace {
+
+/// A mesh whose worst element is below this is worth a second try without (or with fewer) sheets.
+constexpr double kGoodEnough = 0.5;
+
+std::vector<int> cad_faces_of(const FeatureShape& shape, const std::vector<int>& charts) {
+  std::set<int> faces;
+  for (int c : charts) faces.insert(shape.charts[c].cad_faces.begin(), shape.charts[c].cad_faces.end());
+  return {faces.begin(), faces.end()};
+}
+
+QuantizeOptions quantize_options(const Options& options) {
+  QuantizeOptions quantize;
+  quantize.size = options.size;
+  quantize.minimum_intervals = options.minimum_layers;
+  return quantize;
+}
+
+LabelResult label(const SurfaceMesh& surface, const Geometry& geometry, Run& run) {
+  LabelOptions options;
+  options.size = run.options.size;
+  options.beta = run.options.beta;
+  options.max_smoothing_rounds = run.options.smoothing_rounds;
+  const FillCheck fill = [&](const SurfaceMesh& mesh, const FeatureShape& shape) -> FillOutcome {
+    const Lattice lattice = build_lattice(mesh, shape, quantize_options(run.options), run.context);
+    return {lattice.report.ok, lattice.report.reason, lattice.report.charts};
+  };
+  if (run.options.labels == "paper") {
+    PaperLabelResult paper = label_paper(surface, options, fill, run.context);
+    run.result.adaptation = std::move(paper.adaptation);
+    return std::move(paper);
+  }
+  return label_regions(surface, geometry, options, fill, run.context);
+}
+
+void require_valid(const LabelResult& labels) {
+  if (labels.validity.valid()) return;
+  const Violation& worst = *std::max_element(labels.validity.violations.begin(), labels.validity.violations.end(),
+                                             [](const Violation& a, const Violation& b) { return a.weight < b.weight; });
+  throw MeshingError(Failure::NoMesh, "labels",
+                     "no valid recognition model was found: condition V" + std::to_string(worst.condition) + " fails: " + worst.reason,
+                     "try a smaller element size, or simplify the faces named", cad_faces_of(labels.shape, worst.charts));
+}
+
+/// Smooth with the sheets that pay: all of them, or none where that ends better.
+HexComplex smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shape, const Geometry& geometry, Run& run) {
+  SmoothOptions smoothing;
+  smoothing.size = run.options.size;
+  smoothing.threads = run.options.threads;
+  Result& result = run.result;
+
+  HexComplex complex = fitted;
+  if (run.options.sheets) {
+    run.begin("sheets");
+    SheetOptions sheets;
+    sheets.size = run.options.size;
+    result.sheets = insert_sheets(complex, shape, geometry, sheets, run.context);
+    result.mesh = complex;
+    run.complete();
+  }
+  run.begin("smooth");
+  result.smoothing = smooth(complex, *geometry.projector, smoothing, run.context);
+  if (result.sheets.inserted > 0 && result.smoothing.min_sj < kGoodEnough) {
+    HexComplex plain = fitted;
+    const SmoothReport report = smooth(plain, *geometry.projector, smoothing, run.context);
+    if (report.min_sj > result.smoothing.min_sj) {
+      result.sheets = {};
+      result.smoothing = report;
+      complex = std::move(plain);
+    }
+  }
+  return complex;
+}
+
+}  // namespace
+
+HexComplex feature_line(const SurfaceMesh& surface, const Geometry& geometry, int solid, Run& run) {
+  Result& result = run.result;
+  result.sheets = {};
+
+  run.begin("labels");
+  result.labels = label(surface, geometry, run);
+  run.complete();
+  require_valid(result.labels);
+  const SurfaceMesh& mesh = result.labels.surface.mesh;
+  const FeatureShape& shape = result.labels.shape;
+
+  run.begin("lattice");
+  Lattice lattice = build_lattice(mesh, shape, quantize_options(run.options), run.context);
+  result.polycube = lattice.polycube;
+  if (!lattice.report.ok)
+    throw MeshingError(Failure::NoMesh, "lattice", lattice.report.reason, "try a smaller element size",
+                       cad_faces_of(shape, lattice.report.charts));
+  result.mesh = lattice.complex;
+  std::fill(lattice.complex.hex_solid.begin(), lattice.complex.hex_solid.end(), solid);
+  run.complete();
+
+  run.begin("fit");
+  FitOptions fit;
+  fit.size = run.options.size;
+  fit.smooth_edges = run.options.capture == "all";
+  fit_boundary(lattice.complex, mesh, shape, geometry, fit, run.context);
+  result.mesh = lattice.complex;
+  run.complete();
+
+  HexComplex complex = smooth_with_sheets(lattice.complex, shape, geometry, run);
+  result.mesh = complex;
+  run.complete();
+
+  run.begin("certificate");
+  Vec3 lo = mesh.points.front(), hi = lo;
+  for (const Vec3& p : mesh.points) {
+    lo = lo.cwiseMin(p);
+    hi = hi.cwiseMax(p);
+  }
+  const double tolerance = std::max(1e-8, 1e-9 * (hi - lo).norm());
+  certify(complex, *geometry.projector, static_cast<int>(geometry.faces->size()), tolerance, run.context);
+  return complex;
+}
+
+}  // namespace hexfeature

@@ -1,0 +1,181 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#include "pipeline/pipeline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "pipeline/feature_line.h"
+#include "pipeline/part.h"
+#include "pipeline/run.h"
+#include "quadratic/quadratic.h"
+
+namespace hexfeature {
+namespace {
+
+double seconds_since(Context::Clock::time_point start) {
+  return std::chrono::duration<double>(Context::Clock::now() - start).count();
+}
+
+/// The element size of a user who gave none: about 3000 elements. Refuses sizes that cannot make a mesh.
+double choose_size(const Options& options, const Part& part) {
+  const double volume = part.volume();
+  if (options.size <= 0) return std::cbrt(volume / 3000);
+  const double elements = volume / std::pow(options.size, 3);
+  if (options.size > part.diagonal())
+    throw MeshingError(Failure::Usage, "options", "the element size is larger than the part",
+                       "give a size well below the part's length of " + std::to_string(part.diagonal()));
+  if (elements > 5e7) {
+    std::ostringstream text;
+    text << "the element size asks for about " << elements << " elements";
+    throw MeshingError(Failure::Usage, "options", text.str(), "give a larger size");
+  }
+  return options.size;
+}
+
+/// Append one solid's complex to the mesh of all.
+void append(HexComplex& all, const HexComplex& one) {
+  const int offset = all.point_count();
+  const int block_offset = all.hex_block.empty() ? 0 : 1 + *std::max_element(all.hex_block.begin(), all.hex_block.end());
+  const auto shift = [&](auto nodes) {
+    for (int& n : nodes) n += offset;
+    return nodes;
+  };
+  all.points.insert(all.points.end(), one.points.begin(), one.points.end());
+  all.shape_place.insert(all.shape_place.end(), one.shape_place.begin(), one.shape_place.end());
+  all.place.insert(all.place.end(), one.place.begin(), one.place.end());
+  for (const auto& h : one.hexes) all.hexes.push_back(shift(h));
+  for (const auto& q : one.quads) all.quads.push_back(shift(q));
+  for (const auto& e : one.feature_edges) all.feature_edges.push_back(shift(e));
+  all.hex_solid.insert(all.hex_solid.end(), one.hex_solid.begin(), one.hex_solid.end());
+  for (int b : one.hex_block) all.hex_block.push_back(b + block_offset);
+  all.quad_chart.insert(all.quad_chart.end(), one.quad_chart.begin(), one.quad_chart.end());
+  all.quad_face.insert(all.quad_face.end(), one.quad_face.begin(), one.quad_face.end());
+  all.feature_edge_cad.insert(all.feature_edge_cad.end(), one.feature_edge_cad.begin(), one.feature_edge_cad.end());
+}
+
+/// Mesh one solid: every method and frame in order until one gives a certified mesh. Returns it in world coordinates.
+HexComplex mesh_solid(Part& part, int solid, const std::vector<Mat3>& frames, Run& run) {
+  Result& result = run.result;
+  for (int frame = 0; frame < static_cast<int>(frames.size()); ++frame) {
+    Attempt attempt;
+    attempt.method = "feature-line";
+    attempt.solid = solid;
+    attempt.frame = frame;
+    const auto start = Context::Clock::now();
+    try {
+      part.place(frames[frame]);
+      result.rotation = frames[frame];
+      result.centre = part.centre();
+      run.begin("surface");
+      result.surface = part.surface(run.options.size, run.context);
+      if (part.solid_count() > 1) result.surface = surface_of_solid(result.surface, part.geometry(), solid);
+      run.complete();
+      HexComplex complex = feature_line(result.surface, part.geometry(), solid, run);
+      for (Vec3& p : complex.points) p = part.to_world(p);
+      attempt.seconds = seconds_since(start);
+      result.attempts.push_back(attempt);
+      result.method = attempt.method;
+      return complex;
+    } catch (const MeshingError& error) {
+      if (error.kind != Failure::NoMesh) throw;
+      attempt.step = error.step;
+      attempt.reason = error.reason;
+      attempt.hint = error.hint;
+      attempt.cad_faces = error.cad_faces;
+      attempt.seconds = seconds_since(start);
+      run.context.log("feature-line, frame " + std::to_string(frame + 1) + " gave up in step " + error.step + ": " + error.reason);
+      result.attempts.push_back(attempt);
+    }
+  }
+  const Attempt& first = *std::find_if(result.attempts.begin(), result.attempts.end(), [&](const Attempt& a) { return a.solid == solid; });
+  throw MeshingError(Failure::NoMesh, first.step, first.reason, first.hint, first.cad_faces);
+}
+
+/// Sharp CAD edges whose chain of mesh edges is missing or has gaps.
+std::vector<int> sharp_edges_not_followed(const HexComplex& mesh, const Geometry& geometry) {
+  std::vector<double> covered(geometry.edges->size(), 0);
+  for (std::size_t i = 0; i < mesh.feature_edges.size(); ++i) {
+    const auto& e = mesh.feature_edges[i];
+    covered[mesh.feature_edge_cad[i] - 1] += (mesh.points[e[1]] - mesh.points[e[0]]).norm();
+  }
+  std::vector<int> missing;
+  for (int id = 1; id <= static_cast<int>(covered.size()); ++id) {
+    const CadEdge& edge = geometry.edge(id);
+    // Chords are shorter than the curve: a full circle followed by four edges keeps 90% of its length.
+    if (edge.sharp && !edge.seam && !edge.degenerate && covered[id - 1] < 0.85 * edge.length) missing.push_back(id);
+  }
+  return missing;
+}
+
+/// The whole way from a part to its certified mesh.
+void mesh_part(Part& part, Run& run) {
+  Result& result = run.result;
+  const Geometry geometry = part.geometry();
+  result.cad_faces = static_cast<int>(geometry.faces->size());
+  result.cad_edges = static_cast<int>(geometry.edges->size());
+  result.cad_vertices = static_cast<int>(geometry.vertices->size());
+  result.solids = part.solid_count();
+  result.cad_volume = part.volume();
+  result.warnings = part.warnings();
+  run.complete();
+
+  run.begin("frame");
+  const std::vector<Mat3> frames = part.frames();
+  run.complete();
+
+  HexComplex mesh;
+  for (int solid = 1; solid <= part.solid_count(); ++solid) append(mesh, mesh_solid(part, solid, frames, run));
+  result.mesh = std::move(mesh);
+
+  run.begin("quality");
+  part.place_in_world();
+  result.quality = measure_quality(result.mesh, *geometry.projector, run.context);
+  result.sharp_edges_not_followed = sharp_edges_not_followed(result.mesh, geometry);
+  std::vector<char> covered(geometry.faces->size() + 1, 0);
+  for (int f : result.mesh.quad_face)
+    if (f > 0) covered[f] = 1;
+  for (int f = 1; f <= result.cad_faces; ++f)
+    if (!covered[f]) result.faces_without_quads.push_back(f);
+  if (run.options.order == 2) {
+    run.begin("second order");
+    QuadraticMesh quadratic = make_quadratic(result.mesh, *geometry.projector, run.context);
+    result.hexes20 = std::move(quadratic.hexes);
+    result.quads8 = std::move(quadratic.quads);
+    result.mesh.points.insert(result.mesh.points.end(), quadratic.mid_points.begin(), quadratic.mid_points.end());
+    result.mesh.place.insert(result.mesh.place.end(), quadratic.mid_place.begin(), quadratic.mid_place.end());
+    result.straightened = quadratic.straightened;
+  }
+  result.certified = true;
+}
+
+template <class Read>
+Result mesh_read_part(const Options& options, Context& context, const Read& read) {
+  Result result;
+  result.options = options;
+  if (options.time_limit > 0)
+    context.deadline = Context::Clock::now() + std::chrono::duration_cast<Context::Clock::duration>(std::chrono::duration<double>(options.time_limit));
+  Run run(result.options, context, result);
+  try {
+    run.begin("read");
+    const std::unique_ptr<Part> part = read();
+    result.options.size = choose_size(options, *part);
+    mesh_part(*part, run);
+  } catch (const Stopped& stopped) {
+    result.stopped_after = stopped.step;
+  }
+  run.finish();
+  return result;
+}
+
+}  // namespace
+
+Result mesh_file(const std::string& path, const Options& options, Context& context) {
+  return mesh_read_part(options, context, [&] { return read_part(path, options, context); });
+}
+
+Result mesh_brep_string(const std::string& brep, const Options& options, Context& context) {
+  return mesh_read_part(options, context, [&] { return part_of_brep_string(brep, context); });
+}
+
+}  // namespace hexfeature

@@ -1,0 +1,36 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#pragma once
+#include <string>
+
+#include "base/context.h"
+#include "base/options.h"
+#include "pipeline/pipeline.h"
+
+namespace hexfeature {
+
+/// Thrown when the step named by Options::stop_after is complete; caught by the driver, never leaves the pipeline.
+struct Stopped {
+  std::string step;
+};
+
+/// One run in progress: options, context, the result being filled, and the clock of its steps.
+class Run {
+ public:
+  Run(const Options& options_, Context& context_, Result& result_) : options(options_), context(context_), result(result_) {}
+  const Options& options;
+  Context& context;
+  Result& result;
+
+  /// Begin a step: time is booked to it until the next begin(). Also a cancellation point.
+  void begin(const std::string& step);
+  /// The current step is complete: stop here when the options say so.
+  void complete();
+  /// Close the books.
+  void finish();
+
+ private:
+  std::string step_;
+  Context::Clock::time_point since_{};
+};
+
+}  // namespace hexfeature

@@ -1,0 +1,169 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#include "quadratic/quadratic.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hexfeature {
+namespace {
+
+/// Reference coordinates in [-1, 1]^3 of the 20 nodes.
+constexpr std::array<std::array<int, 3>, 20> kNodes{{{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1},
+                                                     {-1, 1, 1},   {0, -1, -1}, {1, 0, -1}, {0, 1, -1},  {-1, 0, -1}, {0, -1, 1}, {1, 0, 1},
+                                                     {0, 1, 1},    {-1, 0, 1},  {-1, -1, 0}, {1, -1, 0}, {1, 1, 0},   {-1, 1, 0}}};
+
+using Gradients = std::array<Vec3, 20>;
+
+/// Gradients of the serendipity shape functions at a reference point.
+Gradients shape_gradients(const Vec3& x) {
+  Gradients g;
+  for (int n = 0; n < 20; ++n) {
+    const Vec3 c(kNodes[n][0], kNodes[n][1], kNodes[n][2]);
+    // Factors (1 + c x), or (1 - x^2) along a mid-side node's own direction.
+    Vec3 factor, slope;
+    int zero = -1;
+    for (int a = 0; a < 3; ++a)
+      if (c[a] == 0) {
+        zero = a;
+        factor[a] = 1 - x[a] * x[a];
+        slope[a] = -2 * x[a];
+      } else {
+        factor[a] = 1 + c[a] * x[a];
+        slope[a] = c[a];
+      }
+    for (int a = 0; a < 3; ++a) {
+      const int b = (a + 1) % 3, d = (a + 2) % 3;
+      if (zero >= 0)
+        g[n][a] = 0.25 * slope[a] * factor[b] * factor[d];
+      else  // corner: 1/8 product of factors times (c.x - 2)
+        g[n][a] = 0.125 * factor[b] * factor[d] * (slope[a] * (c.dot(x) - 2) + factor[a] * c[a]);
+    }
+  }
+  return g;
+}
+
+/// Shape gradients where the determinant must be positive: the integration points of C3D20 and C3D20R, and the nodes.
+std::vector<Gradients> check_points() {
+  std::vector<Gradients> points;
+  const auto grid = [&](std::initializer_list<double> values) {
+    for (double r : values)
+      for (double s : values)
+        for (double t : values) points.push_back(shape_gradients(Vec3(r, s, t)));
+  };
+  grid({-std::sqrt(0.6), 0.0, std::sqrt(0.6)});
+  grid({-std::sqrt(1.0 / 3), std::sqrt(1.0 / 3)});
+  for (const auto& n : kNodes) points.push_back(shape_gradients(Vec3(n[0], n[1], n[2])));
+  return points;
+}
+
+/// Number every edge of the complex; edge ids of each hexahedron in kHexEdges order.
+struct Edges {
+  std::vector<std::array<int, 2>> nodes;      // smaller first, sorted
+  std::vector<std::array<int, 12>> of_hex;
+  int find(int a, int b) const {
+    const std::array<int, 2> key{std::min(a, b), std::max(a, b)};
+    return static_cast<int>(std::lower_bound(nodes.begin(), nodes.end(), key) - nodes.begin());
+  }
+};
+
+Edges number_edges(const HexComplex& complex) {
+  Edges edges;
+  edges.nodes.reserve(12 * complex.hexes.size());
+  for (const auto& h : complex.hexes)
+    for (const auto& e : kHexEdges) edges.nodes.push_back({std::min(h[e[0]], h[e[1]]), std::max(h[e[0]], h[e[1]])});
+  std::sort(edges.nodes.begin(), edges.nodes.end());
+  edges.nodes.erase(std::unique(edges.nodes.begin(), edges.nodes.end()), edges.nodes.end());
+  edges.of_hex.resize(complex.hexes.size());
+  for (std::size_t h = 0; h < complex.hexes.size(); ++h)
+    for (int e = 0; e < 12; ++e) edges.of_hex[h][e] = edges.find(complex.hexes[h][kHexEdges[e][0]], complex.hexes[h][kHexEdges[e][1]]);
+  return edges;
+}
+
+}  // namespace
+
+QuadraticMesh make_quadratic(const HexComplex& complex, const Projector& projector, Context& context) {
+  QuadraticMesh result;
+  const Edges edges = number_edges(complex);
+  const int edge_count = static_cast<int>(edges.nodes.size()), first_mid = complex.point_count();
+
+  std::vector<Vec3> chord(edge_count), curve(edge_count);
+  result.mid_place.assign(edge_count, CadPlace{});
+  for (int e = 0; e < edge_count; ++e) chord[e] = curve[e] = 0.5 * (complex.points[edges.nodes[e][0]] + complex.points[edges.nodes[e][1]]);
+
+  // Boundary edges: a feature edge's middle lies on its curve, another's on the face of a quad beside it.
+  std::vector<int> cad_edge(edge_count, 0), cad_face(edge_count, 0);
+  for (std::size_t i = 0; i < complex.feature_edges.size(); ++i)
+    cad_edge[edges.find(complex.feature_edges[i][0], complex.feature_edges[i][1])] = complex.feature_edge_cad[i];
+  for (std::size_t q = 0; q < complex.quads.size(); ++q)
+    for (int k = 0; k < 4; ++k) {
+      int& face = cad_face[edges.find(complex.quads[q][k], complex.quads[q][(k + 1) % 4])];
+      if (face == 0) face = complex.quad_face[q];
+    }
+  for (int e = 0; e < edge_count; ++e) {
+    if (e % 4096 == 0) context.check();
+    if (cad_edge[e] > 0) {
+      const CurvePoint p = projector.project_to_edge(cad_edge[e], chord[e], nullptr);
+      curve[e] = p.point;
+      result.mid_place[e] = {1, cad_edge[e], Vec2(p.t, 0)};
+    } else if (cad_face[e] > 0) {
+      const FacePoint p = projector.project_to_face(cad_face[e], chord[e], nullptr);
+      curve[e] = p.point;
+      result.mid_place[e] = {2, cad_face[e], p.uv};
+    }
+  }
+
+  // Back off where an element would turn bad: halve its mid-side nodes' way from chord to curve, at last to the chord.
+  const std::vector<Gradients> checks = check_points();
+  std::vector<double> way(edge_count, 1.0);
+  std::vector<std::array<int, 20>>& hexes = result.hexes;
+  hexes.resize(complex.hexes.size());
+  for (std::size_t h = 0; h < hexes.size(); ++h) {
+    std::copy(complex.hexes[h].begin(), complex.hexes[h].end(), hexes[h].begin());
+    for (int e = 0; e < 12; ++e) hexes[h][8 + e] = first_mid + edges.of_hex[h][e];
+  }
+  const auto good = [&](std::size_t h) {
+    std::array<Vec3, 20> x;
+    for (int n = 0; n < 8; ++n) x[n] = complex.points[hexes[h][n]];
+    for (int e = 0; e < 12; ++e) {
+      const int id = edges.of_hex[h][e];
+      x[8 + e] = chord[id] + way[id] * (curve[id] - chord[id]);
+    }
+    for (const Gradients& g : checks) {
+      Mat3 j = Mat3::Zero();
+      for (int n = 0; n < 20; ++n) j += x[n] * g[n].transpose();
+      if (!(j.determinant() > 0)) return false;
+    }
+    return true;
+  };
+  for (int round = 0; round < 6; ++round) {
+    bool changed = false;
+    for (std::size_t h = 0; h < hexes.size(); ++h) {
+      if (h % 1024 == 0) context.check();
+      bool curved = false;
+      for (int e : edges.of_hex[h]) curved = curved || (way[e] > 0 && (curve[e] - chord[e]).squaredNorm() > 0);
+      if (!curved || good(h)) continue;
+      for (int e : edges.of_hex[h]) way[e] = round < 4 ? 0.5 * way[e] : 0.0;
+      changed = true;
+    }
+    if (!changed) break;
+  }
+  result.mid_points.resize(edge_count);
+  for (int e = 0; e < edge_count; ++e) {
+    result.mid_points[e] = chord[e] + way[e] * (curve[e] - chord[e]);
+    if (way[e] < 1 && (curve[e] - chord[e]).squaredNorm() > 0) {
+      ++result.straightened;
+      result.mid_place[e] = CadPlace{};
+    }
+  }
+  for (const auto& q : complex.quads) {
+    std::array<int, 8> quad;
+    for (int k = 0; k < 4; ++k) {
+      quad[k] = q[k];
+      quad[4 + k] = first_mid + edges.find(q[k], q[(k + 1) % 4]);
+    }
+    result.quads.push_back(quad);
+  }
+  return result;
+}
+
+}  // namespace hexfeature
