@@ -1,0 +1,115 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "fixtures.h"
+#include "label/regions.h"
+#include "round_fixtures.h"
+#include "shape/partition.h"
+
+using namespace hexfeature;
+using namespace fixtures;
+
+namespace {
+
+/// The invariants of a surface mesh that cutting must keep.
+void check_mesh(const SurfaceMesh& mesh) {
+  CHECK(mesh.place.size() == mesh.points.size());
+  CHECK(mesh.triangle_face.size() == mesh.triangles.size());
+  CHECK(mesh.corner_normals.size() == 3 * mesh.triangles.size());
+  CHECK(mesh.halfedge_edge.size() == 3 * mesh.triangles.size());
+  REQUIRE(mesh.opposite.size() == 3 * mesh.triangles.size());
+  bool twins = true, edges = true, upright = true;
+  for (int h = 0; h < 3 * mesh.triangle_count(); ++h) {
+    const int o = mesh.opposite[h];
+    twins &= mesh.opposite[o] == h && mesh.from(h) == mesh.to(o) && mesh.to(h) == mesh.from(o);
+    edges &= mesh.halfedge_edge[h] == mesh.halfedge_edge[o];
+    upright &= mesh.area_normal(h / 3).dot(mesh.mean_normal(h / 3)) > 0;
+  }
+  CHECK(twins);
+  CHECK(edges);
+  CHECK(upright);
+  SurfaceMesh again = mesh;
+  connect(again);
+  CHECK(again.opposite == mesh.opposite);
+}
+
+void check_sites(const Regions& r) {
+  check_mesh(r.mesh);
+  const Partition cells = make_partition(r.mesh, r.site);
+  CHECK(static_cast<int>(cells.parts.size()) == r.site_count());
+  const auto components = connected_components(r.mesh, r.site);
+  CHECK(1 + *std::max_element(components.begin(), components.end()) == r.site_count());
+  for (int t = 0; t < r.mesh.triangle_count(); ++t) CHECK_EQ(r.site_face[r.site[t]], r.mesh.triangle_face[t]);
+}
+
+std::vector<double> areas(const Regions& r) {
+  std::vector<double> a(r.site_count(), 0);
+  for (int t = 0; t < r.mesh.triangle_count(); ++t) a[r.site[t]] += r.mesh.area(t);
+  return a;
+}
+
+Mat3 turned(double degrees, const Vec3& axis) { return Eigen::AngleAxisd(degrees * EIGEN_PI / 180, axis.normalized()).toRotationMatrix(); }
+
+Regions cut(const RoundSolid& s, double h) {
+  Context context;
+  RegionOptions options;
+  options.size = h;
+  return cut_regions(s.mesh, s.geometry(), options, context);
+}
+
+}  // namespace
+
+TEST_CASE("a cylinder has four straight strips and two whole caps, whatever its phase") {
+  for (double phase : {0.0, 0.1, double(EIGEN_PI) / 4, 0.77, 0.8}) {
+    const auto solid = round_cylinder(24, 6, 1, 3, Mat3::Identity(), phase);
+    const Regions r = cut(*solid, 0.4);
+    check_sites(r);
+    CHECK(r.site_count() == 6);
+    // The borders of the strips are at 45 degrees exactly, and on the true cylinder.
+    for (int h = 0; h < 3 * r.mesh.triangle_count(); ++h) {
+      const int a = r.site[h / 3], b = r.site[r.mesh.opposite[h] / 3];
+      if (a == b || r.site_face[a] != 1 || r.site_face[b] != 1) continue;
+      const Vec3& p = r.mesh.points[r.mesh.from(h)];
+      CHECK(std::abs(p[0]) == doctest::Approx(std::abs(p[1])));
+      CHECK(std::hypot(p[0], p[1]) == doctest::Approx(1));
+    }
+  }
+}
+
+TEST_CASE("an oblique cylinder has straight strips along its axis, cut across at mid-length") {
+  const auto solid = round_cylinder(20, 9, 1, 6, turned(40, Vec3(1, 0, 0)));
+  const Regions r = cut(*solid, 0.5);
+  check_sites(r);
+  CHECK(r.site_count() == 10);
+  const auto short_one = round_cylinder(20, 3, 1, 0.4, turned(40, Vec3(1, 0, 0)));
+  CHECK(cut(*short_one, 0.5).site_count() == 6);
+}
+
+TEST_CASE("a sphere has six sites of equal area") {
+  const auto solid = round_sphere(32, 1, turned(33, Vec3(1, 2, 3)));
+  const Regions r = cut(*solid, 0.3);
+  check_sites(r);
+  REQUIRE(r.site_count() == 6);
+  for (double a : areas(r)) CHECK(a == doctest::Approx(4 * EIGEN_PI / 6).epsilon(0.05));
+}
+
+TEST_CASE("a torus has sixteen sites") {
+  const auto solid = round_torus(32, 16, 2, 0.6, turned(20, Vec3(1, 0.3, 0)));
+  const Regions r = cut(*solid, 0.3);
+  check_sites(r);
+  CHECK(r.site_count() == 16);
+}
+
+TEST_CASE("planes stay whole and an uncut mesh comes back as it was") {
+  const auto box = voxel_surface(plate_with_hole());
+  std::vector<CadFace> faces(*std::max_element(box.mesh.triangle_face.begin(), box.mesh.triangle_face.end()));
+  for (auto& f : faces) f.kind = SurfaceKind::Plane;
+  const Geometry geometry{&faces, nullptr, nullptr, nullptr};
+  Context context;
+  const Regions r = cut_regions(box.mesh, geometry, {}, context);
+  check_sites(r);
+  CHECK(r.site_count() == 10);
+  CHECK(r.mesh.points == box.mesh.points);
+}
