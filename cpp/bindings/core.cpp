@@ -7,6 +7,7 @@
 
 #include "bindings/convert.h"
 #include "pipeline/pipeline.h"
+#include "write/write.h"
 
 namespace py = pybind11;
 using namespace hexfeature;
@@ -110,6 +111,8 @@ PYBIND11_MODULE(_core, m) {
   static PyObject* error_type = PyErr_NewExceptionWithDoc(
       "hexfeature._core.MeshingError", "A typed failure: kind, step, reason, hint, cad_faces (1-based).", PyExc_RuntimeError, nullptr);
   m.attr("MeshingError") = py::handle(error_type);
+  m.attr("__version__") = HEXFEATURE_VERSION;
+  m.attr("writable_endings") = py::cast(writable_endings());
   py::register_exception_translator([](std::exception_ptr p) {
     try {
       if (p) std::rethrow_exception(p);
@@ -157,6 +160,13 @@ PYBIND11_MODULE(_core, m) {
       .def_property_readonly("feature_edge_cad", [](const Pointer& r) { return view(r->mesh.feature_edge_cad, r); })
       .def_property_readonly("hexes20", [](const Pointer& r) { return view(r->hexes20, r); })
       .def_property_readonly("quads8", [](const Pointer& r) { return view(r->quads8, r); })
+      .def(
+          "write",
+          [](const Result& r, const std::string& path, const std::string& element_type) {
+            py::gil_scoped_release release;
+            write_mesh({r.mesh, r.hexes20, r.quads8}, path, {element_type});
+          },
+          py::arg("path"), py::arg("element_type") = "", "Write the mesh by the path's ending (writable_endings). Raises MeshingError.")
       .def("report", [](const Pointer& r) { return report_of(*r); }, "Everything of the report as a dict.")
       .def("stage", [](const Pointer& r, const std::string& name) { return stage_of(r, name); }, py::arg("name"),
            "An intermediate result as a dict of arrays: surface, labels, shape, polycube, lattice, fit, sheets, smooth.");
