@@ -1,0 +1,137 @@
+# HexFeatureWB - LGPL-2.1-or-later
+"""Mesh every solid of many files without a window; go on after a failure.
+
+    hexfeature-batch FILE... --out DIR [--size H] [--order 2] [--OPTION VALUE ...]
+    freecadcmd run_batch.py           with the arguments as JSON in HEXFEATURE_BATCH_ARGUMENTS
+
+Each solid leaves DIR/FILE[-OBJECT][-SolidN].FCStd (part, mesh, groups), .unv (the mesh) and .json (the report); the run leaves
+DIR/summary.csv and prints the same table. Exit code: 0 all meshed, 4 some not, 3 none could be read or meshed, 2 usage.
+"""
+import argparse
+import csv
+import json
+import os
+import re
+import sys
+import time
+
+import FreeCAD
+import Part  # noqa: F401  makes Part::Feature known
+
+from . import core
+from .meshing import MeshingError, mesh
+
+COLUMNS = ["file", "solid", "result", "method", "hexes", "min_sj", "mean_sj", "seconds", "why"]
+
+
+def solids_in(path):
+    """[(name, shape)] of every solid of a CAD file or FreeCAD document. Raises on a file that cannot be read."""
+    if not os.path.isfile(path):
+        raise ValueError("there is no such file")
+    if path.lower().endswith(".fcstd"):
+        document = FreeCAD.openDocument(path, True)
+        try:
+            found = []
+            for obj in document.Objects:
+                if not hasattr(obj, "Shape") or not hasattr(obj.Shape, "Solids") or not _is_result(obj):
+                    continue
+                for number, solid in enumerate(obj.Shape.Solids, 1):
+                    name = obj.Name if len(obj.Shape.Solids) == 1 else "%s-Solid%d" % (obj.Name, number)
+                    found.append((name, solid.copy()))
+            return found
+        finally:
+            FreeCAD.closeDocument(document.Name)
+    shape = Part.Shape()
+    shape.read(path)
+    solids = shape.Solids
+    return [("" if len(solids) == 1 else "Solid%d" % n, solid) for n, solid in enumerate(solids, 1)]
+
+
+def _is_result(obj):
+    """Not a step on the way to another object: features inside a body and inputs of booleans are left out."""
+    return not any(hasattr(user, "Shape") and hasattr(user.Shape, "Solids") and user.Shape.Solids for user in obj.InList)
+
+
+def mesh_one(shape, stem, options):
+    """Mesh one solid into stem.FCStd, stem.unv, stem.json; returns the report."""
+    document = FreeCAD.newDocument("HexMesh", hidden=True)
+    try:
+        part = document.addObject("Part::Feature", "Part")
+        part.Shape = shape
+        obj = mesh(part, **options)
+        document.recompute()
+        for ending, write in ((".FCStd", document.saveAs), (".unv", obj.FemMesh.write)):
+            temporary = stem + ".writing" + ending
+            write(temporary)
+            os.replace(temporary, stem + ending)
+        report = json.loads(obj.Report)
+        with open(stem + ".json.writing", "w") as f:
+            json.dump(report, f, indent=1)
+        os.replace(stem + ".json.writing", stem + ".json")
+        return report
+    finally:
+        FreeCAD.closeDocument(document.Name)
+
+
+def run(files, out, options):
+    """Mesh every solid of `files` into the folder `out`; returns (rows of the summary, exit code)."""
+    os.makedirs(out, exist_ok=True)
+    rows = []
+    for path in files:
+        stem = os.path.join(out, re.sub(r"\W+", "_", os.path.splitext(os.path.basename(path))[0]))
+        try:
+            solids = solids_in(path)
+            if not solids:
+                raise ValueError("there is no solid in it")
+        except Exception as error:  # whatever FreeCAD's readers raise, the batch goes on
+            rows.append(_row(path, "", "unreadable", why=str(error)))
+            continue
+        for name, shape in solids:
+            start = time.time()
+            try:
+                report = mesh_one(shape, stem + ("-" + name if name else ""), options)
+                quality = report["quality"]
+                rows.append(
+                    _row(path, name, "meshed", report["method"], quality["hexes"], round(quality["min_scaled_jacobian"], 3),
+                         round(quality["mean_scaled_jacobian"], 3), round(time.time() - start, 2))
+                )
+            except MeshingError as error:
+                rows.append(_row(path, name, "failed", seconds=round(time.time() - start, 2), why="%s: %s" % (error.step, error.reason)))
+            except Exception as error:  # one part must not end the batch
+                rows.append(_row(path, name, "failed", seconds=round(time.time() - start, 2), why=str(error)))
+    with open(os.path.join(out, "summary.csv"), "w", newline="") as f:
+        table = csv.DictWriter(f, COLUMNS)
+        table.writeheader()
+        table.writerows(rows)
+    meshed = sum(row["result"] == "meshed" for row in rows)
+    return rows, 0 if meshed == len(rows) else 4 if meshed else 3
+
+
+def _row(file, solid, result, method="", hexes="", min_sj="", mean_sj="", seconds="", why=""):
+    return dict(zip(COLUMNS, (file, solid, result, method, hexes, min_sj, mean_sj, seconds, why)))
+
+
+def main(arguments=None):
+    parser = argparse.ArgumentParser(prog="hexfeature-batch", description="Mesh every solid of CAD files and FreeCAD documents.")
+    parser.add_argument("files", nargs="+", metavar="FILE")
+    parser.add_argument("--out", required=True, help="folder for the results")
+    kinds = {"float": float, "int": int, "str": str}
+    for spec in core.load().option_list():
+        if spec["name"] == "stop_after":
+            continue
+        flag = "--" + spec["name"].replace("_", "-")
+        if spec["type"] == "bool":
+            parser.add_argument(flag, action=argparse.BooleanOptionalAction, default=None, help=spec["help"])
+        else:
+            parser.add_argument(flag, type=kinds[spec["type"]], choices=spec["choices"] or None, help=spec["help"])
+    values = vars(parser.parse_args(arguments))
+    files, out = values.pop("files"), values.pop("out")
+    rows, code = run(files, out, {key: value for key, value in values.items() if value is not None})
+    widths = {c: max(len(c), *(len(str(r[c])) for r in rows)) for c in COLUMNS}
+    for row in [dict(zip(COLUMNS, COLUMNS)), *rows]:
+        print("  ".join(str(row[c]).ljust(widths[c]) for c in COLUMNS).rstrip())
+    return code
+
+
+if __name__ == "__main__":
+    sys.exit(main())
