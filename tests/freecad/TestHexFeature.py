@@ -1,0 +1,174 @@
+# HexFeatureWB - LGPL-2.1-or-later
+"""Run by the real freecadcmd: freecadcmd -P tests/freecad -P tests/parts -P python -t TestHexFeature"""
+import json
+import os
+import tempfile
+import unittest
+
+import FreeCAD
+import Part
+
+import HexFeatureWB
+from HexFeatureWB import analysis, batch
+
+import make_parts
+
+
+def new_part(shape):
+    document = FreeCAD.newDocument("Test")
+    document.UndoMode = 1
+    part = document.addObject("Part::Feature", "Part")
+    part.Shape = shape
+    document.recompute()
+    return document, part
+
+
+class DocumentTest(unittest.TestCase):
+    def tearDown(self):
+        for name in list(FreeCAD.listDocuments()):
+            FreeCAD.closeDocument(name)
+
+
+class TestMeshObject(DocumentTest):
+    def test_groups_are_what_geometry_finds(self):
+        for shape in (make_parts.box(), make_parts.bracket().Solids[0], make_parts.filleted_l().Solids[0]):
+            document, part = new_part(shape)
+            for order in (1, 2):
+                mesh = HexFeatureWB.mesh(part, size=5, order=order)
+                report = json.loads(mesh.Report)
+                self.assertEqual(report["groups_not_found_by_geometry"], {})
+                self.assertGreater(mesh.HexCount, 0)
+                self.assertEqual(mesh.FemMesh.HexaCount, mesh.HexCount)
+                names = [mesh.FemMesh.getGroupName(g) for g in mesh.FemMesh.Groups]
+                for k in range(1, len(shape.Faces) + 1):
+                    self.assertIn("Face%d" % k, names)
+
+    def test_second_order_by_default(self):
+        document, part = new_part(make_parts.box())
+        mesh = HexFeatureWB.mesh(part, size=5)
+        self.assertEqual(len(mesh.FemMesh.getElementNodes(1)), 20)
+
+    def test_save_and_reopen_keep_mesh_options_and_groups(self):
+        document, part = new_part(make_parts.box())
+        mesh = HexFeatureWB.mesh(part, size=5)
+        counts = mesh.FemMesh.NodeCount, mesh.FemMesh.HexaCount, mesh.FemMesh.GroupCount
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "saved.FCStd")
+            document.saveAs(path)
+            name = mesh.Name
+            FreeCAD.closeDocument(document.Name)
+            again = FreeCAD.openDocument(path).getObject(name)
+            self.assertEqual((again.FemMesh.NodeCount, again.FemMesh.HexaCount, again.FemMesh.GroupCount), counts)
+            self.assertEqual(float(again.ElementSize.Value), 5)
+            HexFeatureWB.refresh(again)
+            self.assertEqual((again.FemMesh.NodeCount, again.FemMesh.HexaCount, again.FemMesh.GroupCount), counts)
+
+    def test_undo_and_redo(self):
+        document, part = new_part(make_parts.box())
+        mesh = HexFeatureWB.mesh(part, size=5)
+        name, count = mesh.Name, mesh.FemMesh.HexaCount
+        document.undo()
+        self.assertIsNone(document.getObject(name))
+        document.redo()
+        self.assertEqual(document.getObject(name).FemMesh.HexaCount, count)
+
+    def test_a_failure_leaves_the_document_as_it_was(self):
+        for undo in (0, 1):
+            document, part = new_part(make_parts.box())
+            document.UndoMode = undo
+            before = [o.Name for o in document.Objects]
+            for options in ({"size": 0}, {"size": float("nan")}, {"size": 1e6}, {"labels": "none"}, {"colour": 3}):
+                with self.assertRaises((HexFeatureWB.MeshingError, ValueError)):
+                    HexFeatureWB.mesh(part, **options)
+                self.assertEqual([o.Name for o in document.Objects], before, options)
+            with self.assertRaises(HexFeatureWB.MeshingError) as caught:
+                HexFeatureWB.mesh(part, size=2, cancelled=lambda: True)
+            self.assertEqual(caught.exception.kind, "cancelled")
+            self.assertEqual([o.Name for o in document.Objects], before)
+
+    def test_an_object_without_a_solid(self):
+        document, part = new_part(Part.makePlane(10, 10))
+        with self.assertRaises(HexFeatureWB.MeshingError) as caught:
+            HexFeatureWB.mesh(part, size=2)
+        self.assertEqual(caught.exception.kind, "bad_input")
+
+    def test_faces_beside_the_solid_keep_freecads_numbers(self):
+        solid = make_parts.box()
+        document, part = new_part(Part.makeCompound([Part.makePlane(5, 5, FreeCAD.Vector(500, 0, 0)), solid]))
+        mesh = HexFeatureWB.mesh(part, size=5, order=1)
+        names = {mesh.FemMesh.getGroupName(g) for g in mesh.FemMesh.Groups}
+        self.assertNotIn("Face1", names)
+        self.assertTrue({"Face%d" % k for k in range(2, 8)} <= names)
+
+    def test_an_analysis_holds_one_mesh(self):
+        import ObjectsFem
+
+        document, part = new_part(make_parts.box())
+        study = ObjectsFem.makeAnalysis(document, "Analysis")
+        HexFeatureWB.mesh(part, size=5, analysis=study)
+        second = HexFeatureWB.mesh(part, size=4, analysis=study)
+        self.assertEqual([o for o in study.Group if o.isDerivedFrom("Fem::FemMeshObject")], [second])
+
+
+class TestCalculiX(DocumentTest):
+    def solve(self, shape, size, fixed, loaded, newtons, direction=None, **options):
+        document, part = new_part(shape)
+        mesh = HexFeatureWB.mesh(part, size=size, **options)
+        study, solver = analysis.static_analysis(
+            document, mesh, [(part, (fixed,))], [(part, (loaded,))], newtons, direction and (part, (direction,))
+        )
+        with tempfile.TemporaryDirectory() as folder:
+            reaction = analysis.total_reaction(analysis.solve(study, solver, folder))
+        result = [o for o in study.Group if o.isDerivedFrom("Fem::FemResultObject")][0]
+        return result, FreeCAD.Vector(*reaction)
+
+    def test_cantilever_agrees_with_beam_theory(self):
+        # 100 x 10 x 10 mm, 1 kN at the end, theory 1.920 mm (bending 1.905, shear 0.015).
+        for order, deflection in ((1, 1.716), (2, 1.907)):
+            result, reaction = self.solve(make_parts.box(), 2.5 if order == 1 else 5, "Face1", "Face2", 1000.0, "Face6", order=order)
+            found = max(v.Length for v in result.DisplacementVectors)
+            self.assertAlmostEqual(found, deflection, delta=0.02 * deflection)
+            self.assertAlmostEqual(reaction.Length, 1000, delta=1)
+
+    def test_reaction_of_a_bracket_equals_its_load(self):
+        with tempfile.TemporaryDirectory() as folder:
+            shape = Part.Shape()
+            shape.read(make_parts.make("bracket", folder))
+        solid = shape.Solids[0]
+        faces = {("top" if f.CenterOfMass.z > 59 else "end" if f.CenterOfMass.x > 59 else ""): "Face%d" % n for n, f in enumerate(solid.Faces, 1)}
+        for order in (1, 2):
+            result, reaction = self.solve(solid, 4, faces["end"], faces["top"], 500.0, order=order)
+            self.assertAlmostEqual(reaction.Length, 500, delta=0.5)
+            self.assertGreater(max(v.Length for v in result.DisplacementVectors), 0)
+
+
+class TestBatch(DocumentTest):
+    def test_goes_on_after_a_bad_file_and_says_so(self):
+        with tempfile.TemporaryDirectory() as folder:
+            good = make_parts.make("box", folder)
+            bad = os.path.join(folder, "bad.step")
+            with open(bad, "w") as f:
+                f.write("not a step file")
+            document, part = new_part(make_parts.box())
+            saved = os.path.join(folder, "document.FCStd")
+            document.saveAs(saved)
+            FreeCAD.closeDocument(document.Name)
+            out = os.path.join(folder, "out")
+            rows, code = batch.run([bad, good, saved, os.path.join(folder, "missing.step")], out, {"size": 5.0, "order": 1})
+            self.assertEqual(code, 4)
+            self.assertEqual([r["result"] for r in rows], ["unreadable", "meshed", "meshed", "unreadable"])
+            left = sorted(os.listdir(out))
+            self.assertEqual(
+                left, sorted(["summary.csv"] + [s + e for s in ("box", "document-Part") for e in (".FCStd", ".json", ".unv")])
+            )
+            mesh = FreeCAD.openDocument(os.path.join(out, "box.FCStd")).getObject("HexMesh")
+            self.assertEqual(mesh.FemMesh.HexaCount, rows[1]["hexes"])
+
+
+class TestAddon(unittest.TestCase):
+    def test_package_xml(self):
+        root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+        metadata = FreeCAD.Metadata(os.path.join(root, "package.xml"))
+        self.assertEqual(metadata.Name, "HexFeatureWB")
+        self.assertTrue(os.path.isfile(os.path.join(root, metadata.Icon)))
+        self.assertIn("workbench", metadata.Content)
