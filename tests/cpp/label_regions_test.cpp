@@ -113,3 +113,113 @@ TEST_CASE("planes stay whole and an uncut mesh comes back as it was") {
   CHECK(r.site_count() == 10);
   CHECK(r.mesh.points == box.mesh.points);
 }
+
+namespace {
+
+/// A box of 4 x 3 x 2 whose six faces are the sites.
+Regions box_regions(int n) {
+  const auto box_surface = voxel_surface(box({0, 0, 0}, {4, 3, 2}), n);
+  Regions r;
+  r.mesh = box_surface.mesh;
+  for (int f : r.mesh.triangle_face) r.site.push_back(f - 1);
+  for (int s = 0; s < 6; ++s) r.site_face.push_back(s + 1);
+  return r;
+}
+int site_towards(const Regions& r, const Vec3& direction) {
+  for (int t = 0; t < r.mesh.triangle_count(); ++t)
+    if (r.mesh.mean_normal(t).dot(direction) > 0.99) return r.site[t];
+  return -1;
+}
+/// Halfedges of `site` along its border with `other`.
+std::vector<int> border(const Regions& r, int site, int other) {
+  const Partition cells = make_partition(r.mesh, r.site);
+  for (const auto& e : cells.edges) {
+    if (e.left == site && e.right == other) return e.halfedges;
+    if (e.left == other && e.right == site) {
+      std::vector<int> back;
+      for (auto h = e.halfedges.rbegin(); h != e.halfedges.rend(); ++h) back.push_back(r.mesh.opposite[*h]);
+      return back;
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("a strip has its width, its own number, and leaves the others alone") {
+  for (int n : {1, 2, 3}) {
+    Regions r = box_regions(n);
+    const int top = site_towards(r, Vec3::UnitZ()), side = site_towards(r, Vec3::UnitX());
+    const auto chain = border(r, top, side);
+    REQUIRE(!chain.empty());
+    CHECK(strip_extent(r, top, chain) == doctest::Approx(4));
+    REQUIRE(split_strip(r, {}, top, chain, 0.7, 0.1));
+    check_sites(r);
+    CHECK(r.site_count() == 7);
+    const auto a = areas(r);
+    CHECK(a[6] == doctest::Approx(0.7 * 3));
+    CHECK(a[top] == doctest::Approx(3.3 * 3));
+    CHECK(a[side] == doctest::Approx(6));
+    CHECK(r.site_face[6] == r.site_face[top]);
+  }
+}
+
+TEST_CASE("a strip along a part of a straight border ends squarely") {
+  Regions r = box_regions(2);
+  const int top = site_towards(r, Vec3::UnitZ()), side = site_towards(r, Vec3::UnitX());
+  REQUIRE(split_across(r, {}, side, 1, 1.2, 0.1));
+  const auto chain = border(r, top, side);
+  const double length = (r.mesh.points[r.mesh.from(chain.front())] - r.mesh.points[r.mesh.to(chain.back())]).norm();
+  REQUIRE(split_strip(r, {}, top, chain, 0.6, 0.1));
+  check_sites(r);
+  CHECK(areas(r)[7] == doctest::Approx(0.6 * length).epsilon(0.01));
+}
+
+TEST_CASE("a cut across a frame axis") {
+  Regions r = box_regions(2);
+  const int top = site_towards(r, Vec3::UnitZ());
+  REQUIRE(split_across(r, {}, top, 0, 1.3, 0.1));
+  check_sites(r);
+  const auto a = areas(r);
+  CHECK(a[top] == doctest::Approx(2.7 * 3));
+  CHECK(a[6] == doctest::Approx(1.3 * 3));
+}
+
+TEST_CASE("a split that leaves nothing says so and changes nothing") {
+  Regions r = box_regions(2);
+  const int top = site_towards(r, Vec3::UnitZ()), side = site_towards(r, Vec3::UnitX());
+  const auto chain = border(r, top, side);
+  const auto points = r.mesh.points;
+  CHECK_FALSE(split_strip(r, {}, top, chain, 9, 0.1));
+  CHECK_FALSE(split_strip(r, {}, top, chain, 0.01, 0.1));
+  CHECK_FALSE(split_across(r, {}, top, 0, 7, 0.1));
+  CHECK_FALSE(split_across(r, {}, top, 2, 2, 0.1));
+  CHECK_FALSE(split_creases(r, top, 10, 0.1));
+  CHECK(r.mesh.points == points);
+  CHECK(r.site_count() == 6);
+}
+
+TEST_CASE("inner creases cut a site") {
+  Regions r = box_regions(2);
+  const int top = site_towards(r, Vec3::UnitZ()), side = site_towards(r, Vec3::UnitX());
+  for (int& s : r.site)
+    if (s == side) s = top;
+  REQUIRE(split_creases(r, top, 10, 0.1));
+  CHECK(areas(r)[top] == doctest::Approx(12));
+  CHECK(areas(r)[6] == doctest::Approx(6));
+}
+
+TEST_CASE("a strip along the rim of a cylinder's wall stays on the cylinder") {
+  const auto solid = round_cylinder(24, 6, 1, 3);
+  Regions r = cut(*solid, 0.4);
+  const int wall = site_towards(r, Vec3::UnitX());
+  int cap = -1;
+  for (int s = 0; s < r.site_count(); ++s)
+    if (r.site_face[s] == 3) cap = s;
+  REQUIRE(split_strip(r, solid->geometry(), wall, border(r, wall, cap), 0.5, 0.05));
+  check_sites(r);
+  CHECK(areas(r)[6] == doctest::Approx(0.5 * EIGEN_PI / 2).epsilon(0.02));
+  for (int t = 0; t < r.mesh.triangle_count(); ++t)
+    if (r.mesh.triangle_face[t] == 1)
+      for (int v : r.mesh.triangles[t]) CHECK(r.mesh.points[v].head<2>().norm() == doctest::Approx(1));
+}

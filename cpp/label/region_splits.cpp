@@ -1,0 +1,261 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+#include "label/regions.h"
+#include "mesh/cut_mesh.h"
+
+namespace hexfeature {
+namespace {
+
+constexpr double kSnap = 0.12;
+
+std::vector<int> triangles_of(const Regions& regions, int site) {
+  std::vector<int> list;
+  for (int t = 0; t < regions.mesh.triangle_count(); ++t)
+    if (regions.site[t] == site) list.push_back(t);
+  return list;
+}
+
+/// Area of the part of a patch where the function (taken as linear in each triangle) is negative, and of the rest.
+std::array<double, 2> areas_by_sign(const SurfaceMesh& mesh, const std::vector<int>& patch, const CutFunction& f) {
+  std::array<double, 2> sum{0, 0};
+  for (int t : patch) {
+    double value[3];
+    int low = 0;
+    for (int k = 0; k < 3; ++k) {
+      value[k] = f.value(mesh.points[mesh.triangles[t][k]], mesh.corner_normals[3 * t + k]);
+      low += value[k] < 0;
+    }
+    double share = low == 3 ? 1 : 0;
+    if (low == 1 || low == 2) {
+      int odd = 0;  // the corner that is alone on its side
+      while ((value[odd] < 0) != (low == 1)) ++odd;
+      const double a = value[odd], b = value[(odd + 1) % 3], c = value[(odd + 2) % 3];
+      const double tip = a / (a - b) * (a / (a - c));
+      share = low == 1 ? tip : 1 - tip;
+    }
+    const double area = mesh.area(t);
+    sum[0] += share * area;
+    sum[1] += (1 - share) * area;
+  }
+  return sum;
+}
+
+/// Give the connected pieces of a site their numbers. `cut_off` tells, per triangle of `patch`, which are the part to be
+/// cut off; a piece never crosses a halfedge of `barrier` (may be empty). Pieces under `least_area` join the neighbour
+/// piece with the longest common border. The largest piece that is not cut off keeps the site's number; then come the
+/// pieces cut off, then the rest, each larger ones first. False when there is one piece only.
+bool number_pieces(Regions& regions, int site, const std::vector<int>& patch, const std::vector<char>& cut_off,
+                   const std::vector<char>& barrier, double least_area) {
+  const SurfaceMesh& mesh = regions.mesh;
+  std::vector<int> local(mesh.triangle_count(), -1);
+  for (std::size_t i = 0; i < patch.size(); ++i) local[patch[i]] = static_cast<int>(i);
+  std::vector<int> piece(patch.size(), -1), stack;
+  std::vector<double> area;
+  std::vector<char> off;
+  for (std::size_t seed = 0; seed < patch.size(); ++seed) {
+    if (piece[seed] >= 0) continue;
+    const int number = static_cast<int>(area.size());
+    area.push_back(0);
+    off.push_back(cut_off[seed]);
+    piece[seed] = number;
+    stack.push_back(static_cast<int>(seed));
+    while (!stack.empty()) {
+      const int i = stack.back();
+      stack.pop_back();
+      area[number] += mesh.area(patch[i]);
+      for (int h = 3 * patch[i]; h < 3 * patch[i] + 3; ++h) {
+        const int j = local[mesh.opposite[h] / 3];
+        if (j < 0 || piece[j] >= 0 || cut_off[j] != cut_off[i] || (!barrier.empty() && barrier[h])) continue;
+        piece[j] = number;
+        stack.push_back(j);
+      }
+    }
+  }
+
+  const int pieces = static_cast<int>(area.size());
+  std::vector<std::map<int, double>> border(pieces);
+  for (std::size_t i = 0; i < patch.size(); ++i)
+    for (int h = 3 * patch[i]; h < 3 * patch[i] + 3; ++h) {
+      const int j = local[mesh.opposite[h] / 3];
+      if (j >= 0 && piece[j] != piece[i]) border[piece[i]][piece[j]] += (mesh.points[mesh.to(h)] - mesh.points[mesh.from(h)]).norm();
+    }
+  std::vector<int> joined(pieces), order(pieces);
+  std::iota(joined.begin(), joined.end(), 0);
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return area[a] < area[b]; });
+  for (int p : order) {
+    if (area[p] >= least_area || border[p].empty()) continue;
+    const int to = std::max_element(border[p].begin(), border[p].end(), [](const auto& x, const auto& y) { return x.second < y.second; })->first;
+    joined[p] = to;
+    area[to] += area[p];
+    for (const auto& [other, length] : border[p]) {
+      border[other].erase(p);
+      if (other == to) continue;
+      border[to][other] += length;
+      border[other][to] += length;
+    }
+    border[p].clear();
+  }
+
+  std::vector<int> kept;
+  for (int p = 0; p < pieces; ++p)
+    if (joined[p] == p) kept.push_back(p);
+  if (kept.size() < 2) return false;
+  std::stable_sort(kept.begin(), kept.end(), [&](int a, int b) { return area[a] > area[b]; });
+  const auto rest = std::find_if(kept.begin(), kept.end(), [&](int p) { return !off[p]; });
+  if (rest != kept.end()) std::rotate(kept.begin(), rest, rest + 1);
+  std::stable_partition(kept.begin() + 1, kept.end(), [&](int p) { return off[p] != 0; });
+
+  std::vector<int> number(pieces, -1);
+  number[kept[0]] = site;
+  for (std::size_t i = 1; i < kept.size(); ++i) {
+    number[kept[i]] = regions.site_count();
+    regions.site_face.push_back(regions.site_face[site]);
+  }
+  for (std::size_t i = 0; i < patch.size(); ++i) {
+    int p = piece[i];
+    while (joined[p] != p) p = joined[p];
+    regions.site[patch[i]] = number[p];
+  }
+  return true;
+}
+
+/// Cut `site` where all of `functions` are negative from the rest, one after the other.
+bool split_by(Regions& regions, const Geometry& geometry, int site, const std::vector<CutFunction>& functions, double least_area) {
+  std::vector<int> patch = triangles_of(regions, site);
+  const auto estimate = areas_by_sign(regions.mesh, patch, functions.front());
+  if (std::min(estimate[0], estimate[1]) < least_area || std::min(estimate[0], estimate[1]) <= 0) return false;
+
+  Regions result = regions;
+  SurfaceMesh& mesh = result.mesh;
+  SurfaceCutter cutter(mesh, geometry.projector, kSnap);
+  for (int t : patch)
+    for (int h = 3 * t; h < 3 * t + 3; ++h)
+      if (result.site[mesh.opposite[h] / 3] != site) {
+        cutter.pin(mesh.from(h));
+        cutter.pin(mesh.to(h));
+      }
+  std::vector<int> inside = patch, next;
+  std::vector<signed char> side;
+  std::vector<char> cut_off(mesh.triangle_count(), 1);  // per triangle: all functions so far are negative
+  for (const CutFunction& f : functions) {
+    cutter.cut(inside, f, side);
+    for (int t = static_cast<int>(cut_off.size()); t < mesh.triangle_count(); ++t) {
+      const int parent = cutter.parents()[t - cutter.first_new()];
+      result.site.push_back(result.site[parent]);
+      cut_off.push_back(cut_off[parent]);
+    }
+    next.clear();
+    for (std::size_t i = 0; i < inside.size(); ++i) {
+      cut_off[inside[i]] = side[i] < 0;
+      if (side[i] < 0) next.push_back(inside[i]);
+    }
+    inside.swap(next);
+  }
+  patch = triangles_of(result, site);
+  std::vector<char> off(patch.size());
+  for (std::size_t i = 0; i < patch.size(); ++i) off[i] = cut_off[patch[i]];
+  if (!number_pieces(result, site, patch, off, {}, least_area)) return false;
+  regions = std::move(result);
+  return true;
+}
+
+double distance_to(const std::vector<Vec3>& chain, const Vec3& p) {
+  double least = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+    const Vec3 e = chain[i + 1] - chain[i];
+    const double length = e.squaredNorm();
+    const double s = length > 0 ? std::clamp((p - chain[i]).dot(e) / length, 0.0, 1.0) : 0;
+    least = std::min(least, (p - chain[i] - s * e).squaredNorm());
+  }
+  return std::sqrt(least);
+}
+
+std::vector<Vec3> points_of(const SurfaceMesh& mesh, const std::vector<int>& halfedges) {
+  std::vector<Vec3> chain{mesh.points[mesh.from(halfedges.front())]};
+  for (int h : halfedges) chain.push_back(mesh.points[mesh.to(h)]);
+  return chain;
+}
+
+double corner_angle(const SurfaceMesh& mesh, int h) {
+  const Vec3 &p = mesh.points[mesh.from(h)], a = mesh.points[mesh.to(h)] - p, b = mesh.points[mesh.from(SurfaceMesh::prev(h))] - p;
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+/// Angle of the site at the end (or start) of a border halfedge of it.
+double angle_at_end(const Regions& r, int h) {
+  double angle = 0;
+  for (int g = SurfaceMesh::next(h);; g = SurfaceMesh::next(r.mesh.opposite[g])) {
+    angle += corner_angle(r.mesh, g);
+    if (r.site[r.mesh.opposite[g] / 3] != r.site[h / 3]) return angle;
+  }
+}
+double angle_at_start(const Regions& r, int h) {
+  double angle = 0;
+  for (int g = h;; g = r.mesh.opposite[SurfaceMesh::prev(g)]) {
+    angle += corner_angle(r.mesh, g);
+    if (r.site[r.mesh.opposite[SurfaceMesh::prev(g)] / 3] != r.site[h / 3]) return angle;
+  }
+}
+
+}  // namespace
+
+bool split_strip(Regions& regions, const Geometry& geometry, int site, const std::vector<int>& halfedges, double width, double least_area) {
+  if (halfedges.empty() || width <= 0) return false;
+  const SurfaceMesh& mesh = regions.mesh;
+  const std::vector<Vec3> chain = points_of(mesh, halfedges);
+  std::vector<CutFunction> functions{{[chain, width](const Vec3& p, const Vec3&) { return distance_to(chain, p) - width; }, {}, 0.5 * width}};
+
+  // Where the site goes on straight beyond the chain's end, the strip ends squarely there instead of turning round it.
+  if (mesh.from(halfedges.front()) != mesh.to(halfedges.back())) {
+    constexpr double kStraight = 150 * EIGEN_PI / 180;
+    const auto end_plane = [&](const Vec3& end, const Vec3& before) {
+      const Vec3 outward = (end - before).normalized();
+      functions.push_back({[end, outward](const Vec3& p, const Vec3&) { return (p - end).dot(outward); }, {}, 0});
+    };
+    if (angle_at_start(regions, halfedges.front()) > kStraight) end_plane(chain[0], chain[1]);
+    if (angle_at_end(regions, halfedges.back()) > kStraight) end_plane(chain[chain.size() - 1], chain[chain.size() - 2]);
+  }
+  return split_by(regions, geometry, site, functions, least_area);
+}
+
+bool split_across(Regions& regions, const Geometry& geometry, int site, int axis, double coordinate, double least_area) {
+  return split_by(regions, geometry, site, {{[axis, coordinate](const Vec3& p, const Vec3&) { return p[axis] - coordinate; }, {}, 0}}, least_area);
+}
+
+bool split_creases(Regions& regions, int site, double degrees, double least_area) {
+  const std::vector<int> patch = triangles_of(regions, site);
+  std::vector<char> barrier(3 * regions.mesh.triangle_count(), 0);
+  bool any = false;
+  for (int t : patch)
+    for (int h = 3 * t; h < 3 * t + 3; ++h) {
+      if (regions.site[regions.mesh.opposite[h] / 3] != site) continue;
+      barrier[h] = std::abs(regions.mesh.dihedral(h)) > degrees * EIGEN_PI / 180;
+      any |= barrier[h] != 0;
+    }
+  return any && number_pieces(regions, site, patch, std::vector<char>(patch.size(), 0), barrier, least_area);
+}
+
+double strip_extent(const Regions& regions, int site, const std::vector<int>& halfedges) {
+  if (halfedges.empty()) return 0;
+  const std::vector<Vec3> chain = points_of(regions.mesh, halfedges);
+  double most = 0;
+  std::vector<char> seen(regions.mesh.point_count(), 0);
+  for (int t = 0; t < regions.mesh.triangle_count(); ++t) {
+    if (regions.site[t] != site) continue;
+    for (int v : regions.mesh.triangles[t]) {
+      if (seen[v]) continue;
+      seen[v] = 1;
+      most = std::max(most, distance_to(chain, regions.mesh.points[v]));
+    }
+  }
+  return most;
+}
+
+}  // namespace hexfeature
