@@ -10,9 +10,9 @@
 namespace hexfeature {
 
 struct FitOptions {
-  double size = 1;          ///< element size h
-  double corner_snap = 1.1; ///< a hard CAD vertex within this many h along an arc attracts the corner (experiments B4)
-  bool smooth_edges = true; ///< also follow tangent CAD edges where a cheap path exists
+  double size = 1;           ///< element size h
+  double corner_snap = 1.1;  ///< a hard CAD vertex within this many h along an arc attracts the corner (experiments B4)
+  bool smooth_edges = true;  ///< also follow tangent CAD edges where a cheap path exists
 };
 
 /// Boundary fitting: place the lattice's nodes on the part (corners, arcs by length, charts by a fold-free 2D map onto the

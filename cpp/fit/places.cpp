@@ -1,0 +1,112 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#include <algorithm>
+#include <array>
+
+#include "fit/boundary_fit.h"
+
+namespace hexfeature {
+
+void BoundaryFit::finish() {
+  for (int r = 0; r < static_cast<int>(regions.size()); ++r) {
+    update(r);
+    context.progress("fit", 0.5 + 0.3 * (r + 1) / static_cast<double>(regions.size()));
+  }
+  place_nodes();
+  assign_faces();
+  collect_feature_edges();
+}
+
+void BoundaryFit::place_nodes() {
+  complex.place.assign(complex.point_count(), CadPlace{});
+  std::vector<char> done(complex.point_count(), 0);
+  for (const Chain& chain : chains)
+    for (int i = 0; i <= chain.intervals(); ++i) {
+      const int n = chain.nodes[i];
+      if (done[n]) continue;
+      done[n] = 1;
+      complex.place[n] = place_on_chain(chain, chain.node_s[i], mesh, geometry, complex.points[n]);
+    }
+  for (int n = 0; n < complex.point_count(); ++n) {
+    const ShapePlace& p = complex.shape_place[n];
+    if (p.dim != 0 || corner_target[p.item] < 0) continue;
+    const int v = corner_target[p.item];
+    complex.place[n] = mesh.place[v];
+    complex.points[n] = mesh.points[v];
+  }
+  for (const Region& region : regions) {
+    context.check();
+    for (int q : region.quads)
+      for (int n : complex.quads[q]) {
+        if (done[n]) continue;
+        done[n] = 1;
+        const RegionMap::Location where = region.map.locate(flatten(region.chart, lattice[n]));
+        const Vec3 p = region.map.point_at(where);
+        const int t = region.map.source[where.triangle], face = mesh.triangle_face[t];
+        const Vec2* guess = nullptr;
+        double nearest = 1e300;
+        for (int v : mesh.triangles[t]) {
+          const double d = (mesh.points[v] - p).squaredNorm();
+          if (mesh.place[v].dim != 2 || mesh.place[v].entity != face || d >= nearest) continue;
+          nearest = d;
+          guess = &mesh.place[v].uv;
+        }
+        const FacePoint f = geometry.projector->project_to_face(face, p, guess);
+        complex.points[n] = f.point;
+        complex.place[n] = {2, face, f.uv};
+      }
+  }
+}
+
+void BoundaryFit::assign_faces() {
+  complex.quad_face.assign(complex.quads.size(), 0);
+  for (const Region& region : regions) {
+    const int first = mesh.triangle_face[region.triangles.front()];
+    const bool one_face =
+        std::all_of(region.triangles.begin(), region.triangles.end(), [&](int t) { return mesh.triangle_face[t] == first; });
+    for (int q : region.quads) {
+      if (one_face) {
+        complex.quad_face[q] = first;
+        continue;
+      }
+      // Several faces: that of the quad's sliding nodes when they agree, else the one at its middle.
+      Vec3 centre = Vec3::Zero();
+      int face = 0;
+      bool agree = true;
+      for (int n : complex.quads[q]) {
+        centre += 0.25 * lattice[n];
+        if (complex.place[n].dim != 2) continue;
+        agree = agree && (face == 0 || face == complex.place[n].entity);
+        face = complex.place[n].entity;
+      }
+      if (face == 0 || !agree) face = mesh.triangle_face[region.map.source[region.map.locate(flatten(region.chart, centre)).triangle]];
+      complex.quad_face[q] = face;
+    }
+  }
+}
+
+void BoundaryFit::collect_feature_edges() {
+  const auto lies_on = [&](int node, int edge) {
+    const CadPlace& p = complex.place[node];
+    if (p.dim == 1) return p.entity == edge;
+    const auto& ends = geometry.edge(edge).vertices;
+    return p.dim == 0 && (p.entity == ends[0] || p.entity == ends[1]);
+  };
+  std::vector<std::array<int, 3>> found;
+  for (const Chain& chain : chains)
+    for (int i = 0; i < chain.intervals(); ++i) {
+      // The CAD edge under the middle of the interval.
+      const int h = chain.halfedges[chain.segment_at(0.5 * (chain.node_s[i] + chain.node_s[i + 1]))];
+      const int e = followed_edge(mesh, geometry, h), a = chain.nodes[i], b = chain.nodes[i + 1];
+      if (e > 0 && lies_on(a, e) && lies_on(b, e)) found.push_back({std::min(a, b), std::max(a, b), e});
+    }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  complex.feature_edges.clear();
+  complex.feature_edge_cad.clear();
+  for (const auto& f : found) {
+    complex.feature_edges.push_back({f[0], f[1]});
+    complex.feature_edge_cad.push_back(f[2]);
+  }
+}
+
+}  // namespace hexfeature

@@ -1,0 +1,109 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#include "fit/fit.h"
+
+#include <doctest/doctest.h>
+
+#include "part_fixtures.h"
+
+using namespace hexfeature;
+using namespace fixtures;
+
+namespace {
+Vec3 straight(const Vec3& p) { return p; }
+/// A quarter turn over a length of 8 about the y axis through x = 0, z = -8.
+Vec3 bent(const Vec3& p) {
+  const double a = p.x() / 8 * EIGEN_PI / 4, r = 8 + p.z();
+  return {r * std::sin(a), p.y(), r * std::cos(a) - 8};
+}
+Vec3 twisted(const Vec3& p) {
+  const double a = 0.15 * p.z(), c = std::cos(a), s = std::sin(a), x = p.x() - 2.5, y = p.y() - 2.5;
+  return {c * x - s * y, s * x + c * y, p.z()};
+}
+
+struct Checks {
+  int folded_quads = 0, wrong_entity = 0, faces_missing = 0;
+  double deviation = 0, volume = 0;
+};
+
+Checks check(const VoxelPart& part, const HexComplex& mesh) {
+  Checks c;
+  std::vector<char> seen(part.faces.size() + 1, 0);
+  for (std::size_t q = 0; q < mesh.quads.size(); ++q) {
+    const auto& v = mesh.quads[q];
+    seen[mesh.quad_face[q]] = 1;
+    Vec3 centre = Vec3::Zero();
+    for (int n : v) centre += 0.25 * mesh.points[n];
+    const Vec3 normal = part.projector.project_to_face(mesh.quad_face[q], centre, nullptr).normal;
+    for (int k = 0; k < 4; ++k) {
+      const Vec3 a = mesh.points[v[(k + 1) % 4]] - mesh.points[v[k]], b = mesh.points[v[(k + 3) % 4]] - mesh.points[v[k]];
+      if (a.cross(b).dot(normal) <= 0) {
+        ++c.folded_quads;
+        break;
+      }
+    }
+    // Volume by the divergence theorem over two triangles.
+    const Vec3 &p0 = mesh.points[v[0]], &p1 = mesh.points[v[1]], &p2 = mesh.points[v[2]], &p3 = mesh.points[v[3]];
+    c.volume += (p0.dot(p1.cross(p2)) + p0.dot(p2.cross(p3))) / 6;
+    for (int n : v) {
+      const CadPlace& place = mesh.place[n];
+      Vec3 on = mesh.points[n];
+      if (place.dim == 0) on = part.projector.vertex_point(place.entity);
+      if (place.dim == 1) on = part.projector.project_to_edge(place.entity, on, nullptr).point;
+      if (place.dim == 2) on = part.projector.project_to_face(place.entity, on, nullptr).point;
+      if (place.dim == 3) ++c.wrong_entity;
+      c.deviation = std::max(c.deviation, (on - mesh.points[n]).norm());
+    }
+  }
+  for (std::size_t f = 1; f < seen.size(); ++f) c.faces_missing += !seen[f];
+  return c;
+}
+
+HexComplex fitted(const VoxelPart& part, double size) {
+  HexComplex mesh = part.lattice;
+  FitOptions options;
+  options.size = size;
+  Context context;
+  fit_boundary(mesh, part.surface.mesh, part.shape, part.geometry(), options, context);
+  return mesh;
+}
+}  // namespace
+
+TEST_CASE("a straight part comes back as it was") {
+  for (const auto& voxels : {unit_box(), ell(), plate_with_hole(), plate_with_boss(), blind_pocket(), staircase(), hollow_box()}) {
+    VoxelPart part;
+    make_part(part, voxels, 2, 3, straight);
+    const HexComplex mesh = fitted(part, 1 / 3.);
+    const Checks c = check(part, mesh);
+    CHECK(c.folded_quads == 0);
+    CHECK(c.wrong_entity == 0);
+    CHECK(c.faces_missing == 0);
+    CHECK(c.deviation < 1e-9);
+    CHECK(c.volume == doctest::Approx(enclosed_volume(part.surface.mesh)));
+    // Every arc is a sharp edge here, followed by mesh edges over its whole length.
+    double length = 0, cad_length = 0;
+    for (const auto& e : mesh.feature_edges) length += (mesh.points[e[0]] - mesh.points[e[1]]).norm();
+    for (const auto& e : part.edges) cad_length += e.length;
+    CHECK(length == doctest::Approx(cad_length));
+  }
+}
+
+TEST_CASE("the plane pieces of a straight box are equally spaced, inside too") {
+  VoxelPart part;
+  make_part(part, unit_box(), 3, 4, straight);
+  const HexComplex mesh = fitted(part, 0.25);
+  for (int n = 0; n < mesh.point_count(); ++n) CHECK((mesh.points[n] - part.lattice.points[n] / 4).norm() < 1e-4);
+}
+
+TEST_CASE("bent and twisted parts fit without a fold") {
+  for (const auto& voxels : {ell(), plate_with_hole(), plate_with_boss(), blind_pocket(), staircase()})
+    for (const auto& bend : {bent, twisted}) {
+      VoxelPart part;
+      make_part(part, voxels, 4, 3, bend);
+      const HexComplex mesh = fitted(part, 1 / 3.);
+      const Checks c = check(part, mesh);
+      CHECK(c.folded_quads == 0);
+      CHECK(c.faces_missing == 0);
+      CHECK(c.deviation < 1e-9);
+      CHECK(c.volume == doctest::Approx(enclosed_volume(part.surface.mesh)).epsilon(0.02));
+    }
+}
