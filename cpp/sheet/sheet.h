@@ -1,5 +1,7 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #pragma once
+#include <array>
+#include <string>
 #include <vector>
 
 #include "base/context.h"
@@ -12,18 +14,41 @@ namespace hexfeature {
 struct SheetOptions {
   double size = 1;
   double smooth_angle = 135;  ///< degrees in the solid between fitted quads above which a sheet is needed
+  double smooth_share = 0.3;  ///< a border between two charts is smooth when more than this share of its edges is
   double thickness = 0.3;     ///< of the neighbouring edge, at insertion
+  int max_sheets = 64;        ///< insert at most so many: with 0, 1, 2, ... a caller sees what each sheet buys
+};
+
+/// Charts that join smoothly, and where: one sheet is to run along them.
+struct SheetGroup {
+  std::vector<int> charts;                       ///< sorted; the sheet covers their quads; empty for a floor
+  std::vector<std::array<int, 2>> smooth_edges;  ///< boundary edges (smaller node first) whose one cell must shrink away
+  std::vector<std::array<int, 2>> floor_edges;   ///< floors only: the edges at the foot of the wall round `floor_chart`
+  int floor_chart = -1;                          ///< a pocket's floor whose outline turns too little at its corners; -1: none
 };
 
 struct SheetReport {
   int inserted = 0, refused = 0;
-  std::vector<std::vector<int>> chart_groups;  ///< per inserted sheet
+  std::vector<std::vector<int>> chart_groups;  ///< per inserted sheet (charts it covers; a floor: that chart)
+  std::vector<std::string> refusals;           ///< per refused sheet: why
 };
 
+/// Where O-grid sheets are needed (experiments B1): borders between charts with one cell inside (so that this cell would be
+/// flat), smooth in the fitted quads and not on a sharp CAD edge; joined to groups. The largest group first.
+std::vector<SheetGroup> find_sheet_groups(const HexComplex& complex, const Geometry& geometry, const SheetOptions& options);
+
+/// Insert one sheet for `group` (found in this very complex): choose the shrink set (minimum cut, experiments B2) and fill the
+/// gap it leaves (B3). Returns an empty string, or the reason why it was refused; then `complex` is as it was.
+/// `covered` (may be null) receives the charts that the sheet covers: the group's, and those added to settle a conflict.
+std::string insert_sheet(HexComplex& complex, const FeatureShape& shape, const Geometry& geometry, const SheetGroup& group,
+                         const SheetOptions& options, Context& context, std::vector<int>* covered = nullptr);
+
 /// Insert O-grid sheets where chart borders lie on smooth surface (design 3.7, experiments B1-B3): one sheet per group of
-/// smoothly joined charts, its shrink set chosen as a minimum cut over blocks, leaving through sharp faces.
-/// `complex` must be fitted (fit_boundary). New nodes get positions, shape and CAD places.
-SheetReport insert_sheets(HexComplex& complex, const FeatureShape& shape, const Geometry& geometry,
-                          const SheetOptions& options, Context& context);
+/// smoothly joined charts, one after another, measured anew after each; its shrink set chosen as a minimum cut over blocks,
+/// leaving through sharp faces. `complex` must be fitted (fit_boundary). New nodes get positions, shape and CAD places.
+/// A sheet that the local rules forbid is refused and counted. Throws MeshingError(NoMesh, "sheet") only when the
+/// complex that comes in is not a conforming one whose boundary is `quads`.
+SheetReport insert_sheets(HexComplex& complex, const FeatureShape& shape, const Geometry& geometry, const SheetOptions& options,
+                          Context& context);
 
 }  // namespace hexfeature

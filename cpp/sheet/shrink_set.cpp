@@ -1,0 +1,200 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#include "sheet/shrink_set.h"
+
+#include <lemon/preflow.h>
+#include <lemon/smart_graph.h>
+
+#include <algorithm>
+
+#include "sheet/edge_angle.h"
+
+namespace hexfeature {
+namespace {
+
+constexpr long long kInnerCost = 100, kCoveredCost = 5;
+constexpr int kConflictRounds = 6;
+
+// Blocks numbered 0.. in the order of their ids; each hexahedron its own block when the complex has none.
+std::vector<int> dense_blocks(const HexComplex& complex, int& count) {
+  std::vector<int> ids = complex.hex_block;
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  std::vector<int> block(complex.hexes.size());
+  for (std::size_t h = 0; h < block.size(); ++h)
+    block[h] = static_cast<int>(std::lower_bound(ids.begin(), ids.end(), complex.hex_block[h]) - ids.begin());
+  count = static_cast<int>(ids.size());
+  return block;
+}
+
+struct Terminals {
+  std::vector<char> source, sink;      // per block
+  std::vector<std::array<int, 2>> by;  // (block, free chart) that made it a sink
+};
+
+class Chooser {
+ public:
+  Chooser(const HexComplex& complex, const HexTopology& topology, const SheetGroup& group, const SheetOptions& options)
+      : complex_(complex), topology_(topology), group_(group), options_(options), block_(dense_blocks(complex, block_count_)) {
+    int charts = 0;
+    for (int c : complex.quad_chart) charts = std::max(charts, c + 1);
+    covered_.assign(charts, 0);
+    for (int c : group.charts) covered_[c] = 1;
+  }
+
+  ShrinkSet choose(Context& context) {
+    ShrinkSet set;
+    for (int round = 0; round <= kConflictRounds; ++round) {
+      context.check();
+      const Terminals t = terminals();
+      if (std::find(t.source.begin(), t.source.end(), 1) == t.source.end()) {
+        set.refusal = "no block needs to shrink";
+        return set;
+      }
+      std::vector<int> joining;
+      for (const auto& [block, chart] : t.by)
+        if (t.source[block] && chart >= 0) joining.push_back(chart);
+      if (joining.empty()) {
+        for (int b = 0; b < block_count_; ++b)
+          if (t.source[b] && t.sink[b]) {
+            set.refusal = "a block must both shrink and stay";
+            return set;
+          }
+        cut(t, set);
+        return set;
+      }
+      for (int c : joining) covered_[c] = 1;
+    }
+    set.refusal = "blocks must both shrink and stay, whatever charts join the group";
+    return set;
+  }
+
+ private:
+  bool covered(int quad) const { return complex_.quad_chart[quad] >= 0 && covered_[complex_.quad_chart[quad]]; }
+
+  Terminals terminals() const {
+    Terminals t{std::vector<char>(block_count_, 0), std::vector<char>(block_count_, 0), {}};
+    for (const auto& nodes : group_.smooth_edges)
+      if (const auto* e = topology_.find_edge(nodes[0], nodes[1]))
+        for (int i = 0; i < e->count; ++i) t.source[block_[topology_.edge_hexes[e->first + i]]] = 1;
+    for (const auto& e : topology_.edges) {
+      if (covered(e.quads[0]) == covered(e.quads[1])) continue;
+      const int free = covered(e.quads[0]) ? e.quads[1] : e.quads[0];
+      if (e.count >= 3 || (e.count == 2 && solid_angle(complex_, e) > options_.smooth_angle)) sort_round(e, free, t);
+    }
+    for (const auto& nodes : group_.floor_edges)
+      if (const auto* e = topology_.find_edge(nodes[0], nodes[1])) {
+        const int floor = complex_.quad_chart[e->quads[0]] == group_.floor_chart ? e->quads[0] : e->quads[1];
+        sort_round_floor(*e, floor, t);
+      }
+    std::sort(t.by.begin(), t.by.end());
+    t.by.erase(std::unique(t.by.begin(), t.by.end()), t.by.end());
+    return t;
+  }
+
+  // A foot: the free face's cell stays, the others shrink.
+  void sort_round(const HexTopology::Edge& e, int free_quad, Terminals& t) const {
+    const int stays = topology_.hex_of_quad(free_quad);
+    for (int i = 0; i < e.count; ++i) {
+      const int h = topology_.edge_hexes[e.first + i];
+      if (h != stays) t.source[block_[h]] = 1;
+    }
+    t.sink[block_[stays]] = 1;
+    t.by.push_back({block_[stays], complex_.quad_chart[free_quad]});
+  }
+
+  // A floor: its cell shrinks, the others stay.
+  void sort_round_floor(const HexTopology::Edge& e, int floor_quad, Terminals& t) const {
+    const int shrinks = topology_.hex_of_quad(floor_quad);
+    for (int i = 0; i < e.count; ++i) {
+      const int h = topology_.edge_hexes[e.first + i];
+      (h == shrinks ? t.source : t.sink)[block_[h]] = 1;
+    }
+  }
+
+  void cut(const Terminals& t, ShrinkSet& set) const {
+    struct Link {
+      std::array<int, 2> ends;
+      long long cost;
+    };
+    const int source = block_count_, sink = block_count_ + 1;
+    const long long infinite = kInnerCost * (static_cast<long long>(topology_.neighbour.size()) + 1);
+    std::vector<Link> links;
+    for (int s = 0; s < static_cast<int>(topology_.neighbour.size()); ++s) {
+      const int other = topology_.neighbour[s], b = block_[s / 6];
+      if (other > s && block_[other / 6] != b) {
+        const int c = block_[other / 6];
+        links.push_back({{std::min(b, c), std::max(b, c)}, kInnerCost});
+      } else if (other < 0 && covered(-1 - other)) {
+        links.push_back({{b, sink}, kCoveredCost});
+      }
+    }
+    for (int b = 0; b < block_count_; ++b) {
+      if (t.source[b]) links.push_back({{b, source}, infinite});
+      if (t.sink[b]) links.push_back({{b, sink}, infinite});
+    }
+    std::sort(links.begin(), links.end(), [](const Link& x, const Link& y) { return x.ends < y.ends; });
+    std::vector<std::array<int, 2>> ends;
+    std::vector<long long> capacity;
+    for (const Link& l : links)
+      if (!ends.empty() && ends.back() == l.ends) {
+        capacity.back() += l.cost;
+      } else {
+        ends.push_back(l.ends);
+        capacity.push_back(l.cost);
+      }
+    const std::vector<char> side = largest_minimum_cut(block_count_ + 2, ends, capacity, source, sink);
+    set.inside.resize(block_.size());
+    for (std::size_t h = 0; h < block_.size(); ++h) set.inside[h] = side[block_[h]];
+    set.covered = covered_;
+  }
+
+  const HexComplex& complex_;
+  const HexTopology& topology_;
+  const SheetGroup& group_;
+  const SheetOptions& options_;
+  int block_count_ = 0;
+  std::vector<int> block_;     // per hexahedron
+  std::vector<char> covered_;  // per chart
+};
+
+}  // namespace
+
+std::vector<char> largest_minimum_cut(int node_count, const std::vector<std::array<int, 2>>& edge_ends,
+                                      const std::vector<long long>& capacity, int source, int sink) {
+  using Graph = lemon::SmartDigraph;
+  Graph graph;
+  graph.reserveNode(node_count);
+  graph.reserveArc(2 * static_cast<int>(edge_ends.size()));
+  for (int i = 0; i < node_count; ++i) graph.addNode();
+  Graph::ArcMap<long long> room(graph);
+  for (std::size_t e = 0; e < edge_ends.size(); ++e)
+    for (int way = 0; way < 2; ++way)
+      room[graph.addArc(Graph::nodeFromId(edge_ends[e][way]), Graph::nodeFromId(edge_ends[e][1 - way]))] = capacity[e];
+  lemon::Preflow<Graph, Graph::ArcMap<long long>> preflow(graph, room, Graph::nodeFromId(source), Graph::nodeFromId(sink));
+  preflow.run();
+  // The largest source side: all but the nodes from which the sink can still be reached.
+  std::vector<char> inside(node_count, 1);
+  std::vector<int> stack{sink};
+  inside[sink] = 0;
+  while (!stack.empty()) {
+    const Graph::Node v = Graph::nodeFromId(stack.back());
+    stack.pop_back();
+    const auto visit = [&](Graph::Node u) {
+      if (!inside[Graph::id(u)]) return;
+      inside[Graph::id(u)] = 0;
+      stack.push_back(Graph::id(u));
+    };
+    for (Graph::InArcIt a(graph, v); a != lemon::INVALID; ++a)
+      if (preflow.flow(a) < room[a]) visit(graph.source(a));
+    for (Graph::OutArcIt a(graph, v); a != lemon::INVALID; ++a)
+      if (preflow.flow(a) > 0) visit(graph.target(a));
+  }
+  return inside;
+}
+
+ShrinkSet choose_shrink_set(const HexComplex& complex, const HexTopology& topology, const SheetGroup& group, const SheetOptions& options,
+                            Context& context) {
+  return Chooser(complex, topology, group, options).choose(context);
+}
+
+}  // namespace hexfeature

@@ -1,0 +1,36 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#pragma once
+#include <string>
+#include <vector>
+
+#include "sheet/sheet.h"
+#include "sheet/topology.h"
+
+namespace hexfeature {
+
+/// The hexahedra that shrink to make room for a sheet.
+struct ShrinkSet {
+  std::vector<char> inside;   ///< per hexahedron
+  std::vector<char> covered;  ///< per chart: the sheet runs along the quads of `inside` on it; through the others it leaves
+  std::string refusal;        ///< not empty: there is none, and why
+};
+
+/// Minimum cut over blocks (experiments B2). Source: the blocks at the group's smooth edges. At the foot of the group's wall (a
+/// border with a free chart, three or more hexahedra round it, or two and nearly flat) the free face's block is sink and the
+/// blocks under the foot are source, so that the sheet goes on straight into the solid instead of closing under the wall like
+/// a cup. A block wanted on both sides: the free charts concerned join the group, and again. Costs per lattice face: between blocks 100,
+/// covered 5, leaving through a free one 0. Of all minimum cuts the one with the largest set. Deterministic.
+ShrinkSet choose_shrink_set(const HexComplex& complex, const HexTopology& topology, const SheetGroup& group, const SheetOptions& options,
+                            Context& context);
+
+/// Largest source side of all minimum cuts of an undirected graph with a source and a sink, by maximum flow (push-relabel).
+/// `edge_ends`: per edge two nodes; `capacity` likewise. Returns per node: on the source's side.
+std::vector<char> largest_minimum_cut(int node_count, const std::vector<std::array<int, 2>>& edge_ends,
+                                      const std::vector<long long>& capacity, int source, int sink);
+
+/// Fill the gap between `set` and the rest with one hexahedron per face of the sheet (experiments B3). Returns an empty string, or why the
+/// local rules forbid it; then `complex` is as it was.
+std::string insert_layer(HexComplex& complex, const HexTopology& topology, const FeatureShape& shape, const Geometry& geometry,
+                         const ShrinkSet& set, const SheetOptions& options);
+
+}  // namespace hexfeature

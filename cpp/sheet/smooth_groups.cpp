@@ -1,0 +1,110 @@
+// HexFeatureWB - LGPL-2.1-or-later
+// Where a sheet is needed (experiments B1).
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "sheet/edge_angle.h"
+#include "sheet/sheet.h"
+
+namespace hexfeature {
+namespace {
+
+// Edges between the same two charts that hang together: one border.
+struct Border {
+  std::array<int, 2> charts;  // smaller first
+  std::vector<int> edges;     // indices into HexTopology::edges
+  int smooth = 0;
+};
+
+class Forest {
+ public:
+  explicit Forest(int n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
+  int find(int i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(int a, int b) {
+    a = find(a), b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<int> parent_;
+};
+
+// Borders of one hexahedron: this one would have to be flat when the border is smooth.
+std::vector<Border> convex_borders(const HexComplex& complex, const HexTopology& topology) {
+  struct Item {
+    std::array<int, 2> charts;
+    int edge;
+  };
+  std::vector<Item> items;
+  for (int e = 0; e < static_cast<int>(topology.edges.size()); ++e) {
+    const auto& edge = topology.edges[e];
+    const int a = complex.quad_chart[edge.quads[0]], b = complex.quad_chart[edge.quads[1]];
+    if (edge.count == 1 && a != b && a >= 0 && b >= 0) items.push_back({{std::min(a, b), std::max(a, b)}, e});
+  }
+  std::sort(items.begin(), items.end(),
+            [](const Item& x, const Item& y) { return x.charts != y.charts ? x.charts < y.charts : x.edge < y.edge; });
+  Forest forest(static_cast<int>(items.size()));
+  std::map<int, int> at_node;  // node -> an item of the current pair of charts
+  for (int i = 0; i < static_cast<int>(items.size()); ++i) {
+    if (i > 0 && items[i].charts != items[i - 1].charts) at_node.clear();
+    for (int v : topology.edges[items[i].edge].nodes) {
+      const auto [it, fresh] = at_node.try_emplace(v, i);
+      if (!fresh) forest.join(it->second, i);
+    }
+  }
+  std::vector<Border> borders;
+  std::vector<int> border_of(items.size(), -1);
+  for (int i = 0; i < static_cast<int>(items.size()); ++i) {
+    int& b = border_of[forest.find(i)];
+    if (b < 0) {
+      b = static_cast<int>(borders.size());
+      borders.push_back({items[i].charts, {}, 0});
+    }
+    borders[b].edges.push_back(items[i].edge);
+  }
+  return borders;
+}
+
+bool is_smooth(const HexComplex& complex, const Geometry& geometry, const HexTopology::Edge& edge, double degrees) {
+  if (solid_angle(complex, edge) <= degrees) return false;
+  // A quad folded over at a sharp edge looks smooth, and is not: the CAD edge that the mesh edge follows has the last word.
+  const int cad = feature_of(complex, edge.nodes[0], edge.nodes[1]);
+  return cad == 0 || !geometry.edges || std::abs(geometry.edge(cad).dihedral) * 180 / EIGEN_PI < 180 - degrees;
+}
+
+}  // namespace
+
+std::vector<SheetGroup> find_sheet_groups(const HexComplex& complex, const Geometry& geometry, const SheetOptions& options) {
+  const HexTopology topology = make_topology(complex);
+  std::vector<Border> borders = convex_borders(complex, topology);
+  int chart_count = 0;
+  for (int c : complex.quad_chart) chart_count = std::max(chart_count, c + 1);
+  Forest charts(chart_count);
+  for (Border& b : borders) {
+    for (int e : b.edges) b.smooth += is_smooth(complex, geometry, topology.edges[e], options.smooth_angle);
+    if (b.smooth > options.smooth_share * b.edges.size()) charts.join(b.charts[0], b.charts[1]);
+  }
+  std::vector<int> group_of(chart_count, -1);
+  std::vector<SheetGroup> groups;
+  for (const Border& b : borders) {
+    if (b.smooth <= options.smooth_share * b.edges.size()) continue;
+    int& g = group_of[charts.find(b.charts[0])];
+    if (g < 0) {
+      g = static_cast<int>(groups.size());
+      groups.emplace_back();
+      for (int c = 0; c < chart_count; ++c)
+        if (charts.find(c) == charts.find(b.charts[0])) groups.back().charts.push_back(c);
+    }
+    for (int e : b.edges) groups[g].smooth_edges.push_back(topology.edges[e].nodes);
+  }
+  std::stable_sort(groups.begin(), groups.end(),
+                   [](const SheetGroup& a, const SheetGroup& b) { return a.smooth_edges.size() > b.smooth_edges.size(); });
+  return groups;
+}
+
+}  // namespace hexfeature

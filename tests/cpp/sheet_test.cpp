@@ -1,0 +1,169 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#include "sheet/sheet.h"
+
+#include <doctest/doctest.h>
+
+#include "round_parts.h"
+#include "sheet/edge_angle.h"
+#include "sheet/shrink_set.h"
+#include "sheet/topology.h"
+
+using namespace hexfeature;
+using namespace fixtures;
+
+namespace {
+
+SheetReport run(HexPart& part, SheetOptions options = {}) {
+  Context context;
+  return insert_sheets(part.complex, part.shape, part.geometry(), options, context);
+}
+
+// Number of hexahedra round the edges between two CAD faces: least, most.
+std::array<int, 2> hexes_round(const HexPart& part, int f, int g) {
+  const HexTopology t = make_topology(part.complex);
+  std::array<int, 2> range{1000, 0};
+  for (const auto& e : t.edges) {
+    const int a = part.complex.quad_face[e.quads[0]], b = part.complex.quad_face[e.quads[1]];
+    if (std::min(a, b) != std::min(f, g) || std::max(a, b) != std::max(f, g)) continue;
+    range = {std::min(range[0], e.count), std::max(range[1], e.count)};
+  }
+  return range;
+}
+
+// The fault that a sheet cures: one hexahedron at an edge that is flat in the solid.
+int flat_edges(const HexPart& part, double degrees = 135) {
+  const HexTopology t = make_topology(part.complex);
+  int n = 0;
+  for (const auto& e : t.edges) n += e.count == 1 && solid_angle(part.complex, e) > degrees;
+  return n;
+}
+
+}  // namespace
+
+TEST_CASE("fixtures are sound complexes") {
+  for (const auto& part :
+       {cylinder_part(), sphere_part(), boss_part(), flange_part(), shaft_part(), block_part(), drilled_part(), pocket_part()})
+    CHECK(check_complex(part.complex) == "");
+}
+
+TEST_CASE("angles in the solid: 90 at a box edge, 270 in a pocket, 180 on a cylinder's side") {
+  const auto block = block_part();
+  for (const auto& e : make_topology(block.complex).edges) {
+    const double angle = solid_angle(block.complex, e);
+    CHECK((std::abs(angle - 90) < 1e-9 || std::abs(angle - 180) < 1e-9));
+  }
+  const auto pocket = pocket_part();
+  for (const auto& e : make_topology(pocket.complex).edges)
+    if (e.count == 3 && pocket.complex.quad_face[e.quads[0]] != pocket.complex.quad_face[e.quads[1]])
+      CHECK(solid_angle(pocket.complex, e) == doctest::Approx(270).epsilon(0.1));
+}
+
+TEST_CASE("largest minimum cut") {
+  // 0 -5- 1 -5- 2 -5- 3: three cuts of the same cost; the largest set leaves only the sink.
+  const auto in = largest_minimum_cut(4, {{0, 1}, {1, 2}, {2, 3}}, {5, 5, 5}, 0, 3);
+  CHECK(in == std::vector<char>{1, 1, 1, 0});
+  CHECK(largest_minimum_cut(4, {{0, 1}, {1, 2}, {2, 3}}, {5, 2, 5}, 0, 3) == std::vector<char>{1, 1, 0, 0});
+}
+
+TEST_CASE("nothing round, no sheet") {
+  for (auto part : {block_part(), drilled_part()}) {
+    const int before = part.complex.hex_count();
+    const SheetReport report = run(part);
+    CHECK(report.inserted == 0);
+    CHECK(report.refused == 0);
+    CHECK(part.complex.hex_count() == before);
+  }
+}
+
+TEST_CASE("cylinder: one sheet along the side, out through both caps") {
+  auto part = cylinder_part(3);
+  CHECK(flat_edges(part) > 0);
+  const int hexes = part.complex.hex_count(), quads = static_cast<int>(part.complex.quads.size());
+  const SheetReport report = run(part);
+  CHECK(report.inserted == 1);
+  CHECK(report.refused == 0);
+  REQUIRE(report.chart_groups.size() == 1);
+  CHECK(report.chart_groups[0].size() == 4);
+  CHECK(check_complex(part.complex) == "");
+  CHECK(part.complex.hex_count() == hexes + 24 * 6);
+  CHECK(static_cast<int>(part.complex.quads.size()) == quads + 2 * 24);
+  CHECK(flat_edges(part) == 0);
+  CHECK(hexes_round(part, 1, 2) == std::array<int, 2>{1, 1});  // the caps' rims stay sharp
+  CHECK(find_sheet_groups(part.complex, part.geometry(), {}).empty());
+  // Every node is still on its CAD entity; the rims are followed all round.
+  for (int v = 0; v < part.complex.point_count(); ++v)
+    if (part.complex.place[v].dim == 2) {
+      const Vec3 p = part.projector.project_to_face(part.complex.place[v].entity, part.complex.points[v], nullptr).point;
+      CHECK((p - part.complex.points[v]).norm() < 1e-12);
+    }
+  CHECK(part.complex.feature_edges.size() == 2 * 24);
+}
+
+TEST_CASE("sphere: a sheet all round, which leaves nowhere") {
+  auto part = sphere_part(2);
+  const int quads = static_cast<int>(part.complex.quads.size()), hexes = part.complex.hex_count();
+  const SheetReport report = run(part);
+  CHECK(report.inserted == 1);
+  CHECK(check_complex(part.complex) == "");
+  CHECK(static_cast<int>(part.complex.quads.size()) == quads);
+  CHECK(part.complex.hex_count() == hexes + quads);
+  CHECK(flat_edges(part) == 0);
+}
+
+TEST_CASE("boss on a plate: the sheet goes on under the boss and out at the bottom") {
+  auto part = boss_part();
+  const SheetReport report = run(part);
+  CHECK(report.inserted == 1);
+  CHECK(check_complex(part.complex) == "");
+  CHECK(flat_edges(part) == 0);
+  const auto foot = hexes_round(part, 7, 5);
+  CHECK(foot[0] == 3);
+  CHECK(foot[1] == 3);
+  // New quads at the bottom (exit) and on the boss' top: as many as there are edges round the boss.
+  int bottom = 0;
+  for (std::size_t q = 0; q < part.complex.quads.size(); ++q) bottom += part.complex.quad_face[q] == 6;
+  CHECK(bottom == 16 * 16 + 16);
+}
+
+TEST_CASE("flange and shaft: one sheet for each cylinder, each through its own faces") {
+  auto flange = flange_part();
+  SheetReport report = run(flange);
+  CHECK(report.inserted == 2);
+  CHECK(report.refused == 0);
+  CHECK(check_complex(flange.complex) == "");
+  CHECK(flat_edges(flange) == 0);
+  auto shaft = shaft_part();
+  report = run(shaft);
+  CHECK(report.inserted >= 2);
+  CHECK(report.refused == 0);
+  CHECK(check_complex(shaft.complex) == "");
+  CHECK(flat_edges(shaft) == 0);
+}
+
+TEST_CASE("at most so many sheets; a refused sheet leaves the complex alone; the same again gives the same") {
+  auto part = flange_part();
+  SheetOptions options;
+  options.max_sheets = 0;
+  CHECK(run(part, options).inserted == 0);
+  options.max_sheets = 1;
+  CHECK(run(part, options).inserted == 1);
+  CHECK(check_complex(part.complex) == "");
+  auto again = flange_part();
+  run(again, options);
+  CHECK(again.complex.hexes == part.complex.hexes);
+  CHECK(again.complex.quads == part.complex.quads);
+  CHECK(again.complex.points == part.complex.points);
+  // A group without smooth edges has nothing to shrink.
+  Context context;
+  const auto before = part.complex.hexes;
+  CHECK(insert_sheet(part.complex, part.shape, part.geometry(), SheetGroup{}, {}, context) != "");
+  CHECK(part.complex.hexes == before);
+}
+
+TEST_CASE("a complex that is none is an error") {
+  auto part = block_part();
+  part.complex.quads.pop_back();
+  part.complex.quad_chart.pop_back();
+  part.complex.quad_face.pop_back();
+  CHECK_THROWS_AS(run(part), MeshingError);
+}
