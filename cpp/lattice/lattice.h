@@ -14,8 +14,10 @@ namespace hexfeature {
 struct FillReport {
   bool ok = false;
   std::string reason;
-  std::vector<int> charts;               ///< to blame
-  std::vector<Separation> separations;   ///< suggested order constraints
+  std::vector<int> charts;              ///< to blame, sorted
+  std::vector<Separation> separations;  ///< suggested order constraints
+  int rounds = 0;                       ///< build_lattice: solve-and-fill rounds that were needed
+  double size = 0;                      ///< build_lattice: the element size that was used in the end
 };
 
 /// The mapping model: unit cells of the polycube's inside, their nodes at integer coordinates (as doubles), boundary
@@ -27,11 +29,15 @@ struct Lattice {
 };
 
 /// Rasterise each chart's rectilinear polygon, fill between opposite charts by parity, check V5 (Euler number) and V6
-/// (boundary is exactly the charts' cells, right sides, manifold).
+/// (boundary is exactly the charts' cells, right sides, manifold). Hexahedra and points run x fastest, then y, then z; quads
+/// chart by chart. A block is a box between consecutive chart coordinates.
 Lattice fill_lattice(const FeatureShape& shape, const Polycube& polycube, int solid, Context& context);
 
 /// quantize + fill with lazy separation: solve, fill, separate what collides, again (<= 25 rounds); then with
 /// 0.7 h and 0.5 h. Never throws for a failed fill: the report says why.
 Lattice build_lattice(const SurfaceMesh& mesh, const FeatureShape& shape, const QuantizeOptions& options, Context& context);
+/// The same with rays sampled before: for a caller that tries many labels on one mesh.
+Lattice build_lattice(const SurfaceMesh& mesh, const FeatureShape& shape, const AxisRays& rays, const QuantizeOptions& options,
+                      Context& context);
 
 }  // namespace hexfeature

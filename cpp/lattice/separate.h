@@ -1,0 +1,16 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#pragma once
+#include <vector>
+
+#include "lattice/raster.h"
+
+namespace hexfeature {
+
+/// Order constraints that would keep clashing charts apart. Two charts clash at a place; on each axis either may come first:
+/// the charts that bound them there (themselves on their own axis) must then be at least one apart. Taken is the axis and
+/// order in which the part itself separates these bounding charts most, by their centroids (design 3.5, lazy separation).
+/// Sorted, each once; at most `limit`.
+std::vector<Separation> separations_for(const FeatureShape& shape, const Polycube& polycube, const Raster& raster,
+                                        const std::vector<Clash>& clashes, int limit = 200);
+
+}  // namespace hexfeature

@@ -1,0 +1,41 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#pragma once
+#include <vector>
+
+#include "base/context.h"
+#include "mesh/surface_mesh.h"
+#include "shape/feature_shape.h"
+
+namespace hexfeature {
+
+/// Where lines along the axes cross the surface one after the other, through solid or across a gap: depends on the mesh alone,
+/// so that a labeller that tries many labels on one mesh samples once.
+struct AxisRays {
+  struct Crossing {
+    int low = -1, high = -1;  ///< triangles; `high` follows `low` along +axis
+    int axis = 0;
+    double gap = 0;      ///< distance
+    bool solid = false;  ///< through the part, else through air
+  };
+  std::vector<Crossing> crossings;
+};
+
+/// Shoot about `count` lines from points spread over the surface: half by area, half evenly over the triangles, so that small
+/// features get their share. Fixed sequence: the same mesh gives the same rays.
+AxisRays sample_axis_rays(const SurfaceMesh& mesh, int count, Context& context);
+
+/// The part says that chart `low` lies below chart `high` on their common axis, with this mean distance.
+struct ChartOrder {
+  int low = -1, high = -1;
+  double gap = 0;
+  int count = 0;         ///< samples that said so
+  bool in_chart = false;  ///< some of them were walks inside a chart, not rays
+};
+
+/// Orders between the charts of a feature shape (experiments A8): from rays between opposite labels, and from walks over a
+/// chart, along its two axes, from random points to the arcs either way, whose neighbour charts must come in that order
+/// (this keeps inner loops inside outer ones). Sorted by (low, high).
+std::vector<ChartOrder> chart_orders(const SurfaceMesh& mesh, const FeatureShape& shape, const AxisRays& rays, double size,
+                                     Context& context);
+
+}  // namespace hexfeature

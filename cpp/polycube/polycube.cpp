@@ -1,0 +1,183 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#include "polycube/polycube.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
+
+#include "polycube/difference_lp.h"
+
+namespace hexfeature {
+namespace {
+
+// Costs are relative to one interval too many or too few on an arc.
+constexpr double kGapCost = 0.2;            // a ray's gap off by one interval
+constexpr double kOrderCost = 20;           // an order violated by one interval, one sample ...
+constexpr double kOrderCostMany = 70;       // ... or many
+constexpr double kSeparationCost = 1000;    // above anything else: the fill has shown that it is needed
+constexpr double kIntervalWishCost = 5;     // an arc without the intervals its bends ask for
+constexpr double kPositionCost = 0.02, kPositionCostLarge = 0.05;
+constexpr double kTieBreak = 0.01;          // a target of n + 1/2 goes up everywhere
+constexpr double kLargestTarget = 1e6;      // intervals; beyond, no lattice can be built anyway
+constexpr int kNoMinimum = std::numeric_limits<int>::min() / 4;
+
+/// The unknowns: classes of charts of one axis that meet at corners.
+struct Classes {
+  std::vector<int> of_chart;                  // per chart: unknown of its axis
+  std::vector<std::array<int, 3>> of_corner;  // per corner and axis
+  std::array<int, 3> count{0, 0, 0};
+};
+
+Classes merge_charts(const FeatureShape& shape) {
+  const auto& cells = shape.cells;
+  std::vector<int> parent(shape.chart_count());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto find = [&](int c) {
+    while (parent[c] != c) c = parent[c] = parent[parent[c]];
+    return c;
+  };
+  std::vector<std::array<int, 3>> chart_at(shape.corner_count(), {-1, -1, -1});
+  for (int n = 0; n < shape.corner_count(); ++n) {
+    for (int dart : cells.nodes[n].darts) {
+      const int chart = cells.left_of(dart), axis = axis_of(shape.charts[chart].label);
+      int& first = chart_at[n][axis];
+      if (first < 0) first = chart;
+      const int a = find(first), b = find(chart);
+      parent[std::max(a, b)] = std::min(a, b);
+    }
+    if (*std::min_element(chart_at[n].begin(), chart_at[n].end()) < 0) {
+      std::vector<int> charts;
+      for (int dart : cells.nodes[n].darts) charts.push_back(cells.left_of(dart));
+      throw PolycubeError("the charts at a corner leave one of its coordinates open", shape, std::move(charts));
+    }
+  }
+  Classes classes;
+  classes.of_chart.assign(shape.chart_count(), -1);
+  for (int c = 0; c < shape.chart_count(); ++c) {
+    const int root = find(c);  // never larger than c
+    classes.of_chart[c] = root == c ? classes.count[axis_of(shape.charts[c].label)]++ : classes.of_chart[root];
+  }
+  for (const auto& charts : chart_at)
+    classes.of_corner.push_back({classes.of_chart[charts[0]], classes.of_chart[charts[1]], classes.of_chart[charts[2]]});
+  return classes;
+}
+
+/// Least number of intervals that an arc's shape asks for: chords close to its curve, and a node at every kink at a CAD vertex.
+int wished_intervals(const SurfaceMesh& mesh, const std::vector<int>& vertices, double largest_sag) {
+  const Vec3 &a = mesh.points[vertices.front()], &b = mesh.points[vertices.back()];
+  const Vec3 chord = b - a;
+  double sag = 0;
+  int kinks = 0;
+  for (std::size_t i = 1; i + 1 < vertices.size(); ++i) {
+    const Vec3& p = mesh.points[vertices[i]];
+    const double s = chord.squaredNorm() > 0 ? std::clamp((p - a).dot(chord) / chord.squaredNorm(), 0.0, 1.0) : 0.0;
+    sag = std::max(sag, (p - a - s * chord).norm());
+    const Vec3 before = p - mesh.points[vertices[i - 1]], after = mesh.points[vertices[i + 1]] - p;
+    if (mesh.place[vertices[i]].dim == 0 && before.dot(after) < std::cos(EIGEN_PI / 6) * before.norm() * after.norm()) ++kinks;
+  }
+  // n chords have 1/n^2 of the sag of one.
+  return std::max(kinks + 1, static_cast<int>(std::ceil(std::sqrt(sag / largest_sag) - 0.05)));
+}
+
+struct Terms {
+  std::vector<DifferenceTerm> list;
+  std::vector<int> arc;  // per term: the arc of a hard term, -1 otherwise (shorter than list: the rest is -1)
+};
+
+}  // namespace
+
+PolycubeError::PolycubeError(std::string reason_, const FeatureShape& shape, std::vector<int> charts_)
+    : MeshingError(Failure::NoMesh, "polycube", std::move(reason_), "try a smaller element size, or split the part"), charts(std::move(charts_)) {
+  std::sort(charts.begin(), charts.end());
+  charts.erase(std::unique(charts.begin(), charts.end()), charts.end());
+  for (int c : charts) cad_faces.insert(cad_faces.end(), shape.charts[c].cad_faces.begin(), shape.charts[c].cad_faces.end());
+  std::sort(cad_faces.begin(), cad_faces.end());
+  cad_faces.erase(std::unique(cad_faces.begin(), cad_faces.end()), cad_faces.end());
+}
+
+int ray_count(const SurfaceMesh& mesh, const QuantizeOptions& options) {
+  return std::min(options.rays, std::max(400, 2 * mesh.triangle_count()));
+}
+
+Polycube quantize(const SurfaceMesh& mesh, const FeatureShape& shape, const QuantizeOptions& options,
+                  const std::vector<Separation>& separations, Context& context) {
+  const AxisRays rays = sample_axis_rays(mesh, ray_count(mesh, options), context);
+  return quantize(mesh, shape, chart_orders(mesh, shape, rays, options.size, context), options, separations, context);
+}
+
+Polycube quantize(const SurfaceMesh& mesh, const FeatureShape& shape, const std::vector<ChartOrder>& orders,
+                  const QuantizeOptions& options, const std::vector<Separation>& separations, Context& context) {
+  const double h = options.size;
+  if (!(h > 0) || !std::isfinite(h)) throw MeshingError(Failure::Usage, "polycube", "the element size must be a positive number");
+  const auto target = [&](double length) { return std::clamp(length / h, -kLargestTarget, kLargestTarget) + kTieBreak; };
+  const Classes classes = merge_charts(shape);
+  const auto axis = [&](int chart) { return axis_of(shape.charts[chart].label); };
+
+  std::array<Terms, 3> terms;
+  for (int i = 0; i < shape.arc_count(); ++i) {
+    const auto& arc = shape.arcs[i];
+    const auto& edge = shape.cells.edges[i];
+    if (arc.axis < 0 || arc.sign == 0 || edge.start < 0)
+      throw PolycubeError("a feature line has no direction", shape, {edge.left, edge.right});
+    int from = classes.of_corner[edge.start][arc.axis], to = classes.of_corner[edge.end][arc.axis];
+    if (arc.sign < 0) std::swap(from, to);
+    auto& list = terms[arc.axis].list;
+    terms[arc.axis].arc.resize(list.size(), -1);
+    terms[arc.axis].arc.push_back(i);
+    list.push_back({from, to, options.minimum_intervals, kHardTerm});
+    if (from == to) continue;
+    add_convex_terms(list, from, to, target(arc.length), 1, options.arc_curvature, options.minimum_intervals);
+    const int wished = wished_intervals(mesh, edge.vertices, options.largest_sag * h);
+    if (wished > options.minimum_intervals) list.push_back({from, to, wished, std::llround(kTermScale * kIntervalWishCost)});
+  }
+  for (const auto& order : orders) {
+    auto& list = terms[axis(order.low)].list;
+    const int from = classes.of_chart[order.low], to = classes.of_chart[order.high];
+    if (from == to) continue;
+    const double cost = kOrderCost + (kOrderCostMany - kOrderCost) * std::min(1.0, order.count / 8.0);
+    list.push_back({from, to, 1, std::llround(kTermScale * cost)});
+    add_convex_terms(list, from, to, target(order.gap), kGapCost * std::min(1.0, order.count / 4.0), 0, 1);
+  }
+  for (const auto& s : separations)
+    terms[axis(s.low)].list.push_back(
+        {classes.of_chart[s.low], classes.of_chart[s.high], s.gap, std::llround(kTermScale * kSeparationCost)});
+  for (int c = 0; c < shape.chart_count(); ++c) {
+    const auto& chart = shape.charts[c];
+    const double weight = kPositionCost + (kPositionCostLarge - kPositionCost) * std::min(1.0, chart.area / (4 * h * h));
+    const int origin = classes.count[axis(c)];
+    add_convex_terms(terms[axis(c)].list, origin, classes.of_chart[c], target(chart.centroid[axis(c)]), weight, 0, kNoMinimum);
+  }
+
+  Polycube polycube;
+  std::array<std::vector<int>, 3> u;
+  for (int a = 0; a < 3; ++a) {
+    context.check();
+    auto solution = solve_differences(classes.count[a] + 1, terms[a].list);
+    if (!solution.cycle.empty()) {
+      std::vector<int> charts;
+      for (int t : solution.cycle) {
+        const auto& edge = shape.cells.edges[terms[a].arc[t]];
+        charts.push_back(edge.left);
+        charts.push_back(edge.right);
+      }
+      throw PolycubeError(std::string("the feature lines along the ") + "XYZ"[a] + " axis run in a circle", shape, std::move(charts));
+    }
+    u[a] = std::move(solution.x);
+    if (classes.count[a] == 0) continue;
+    const int least = *std::min_element(u[a].begin(), u[a].begin() + classes.count[a]);
+    for (int& x : u[a]) x -= least;
+  }
+  for (int c = 0; c < shape.chart_count(); ++c) polycube.coordinate.push_back(u[axis(c)][classes.of_chart[c]]);
+  for (const auto& corner : classes.of_corner) polycube.corners.push_back({u[0][corner[0]], u[1][corner[1]], u[2][corner[2]]});
+  for (int i = 0; i < shape.arc_count(); ++i) {
+    const auto& edge = shape.cells.edges[i];
+    const int a = shape.arcs[i].axis;
+    const int intervals = std::abs(polycube.corners[edge.end][a] - polycube.corners[edge.start][a]);
+    polycube.length_error += std::abs(intervals - shape.arcs[i].length / h) / shape.arc_count();
+  }
+  return polycube;
+}
+
+}  // namespace hexfeature
