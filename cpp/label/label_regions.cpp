@@ -1,0 +1,67 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#include <algorithm>
+
+#include "label/cut_tree.h"
+#include "label/label_search.h"
+#include "label/labels.h"
+
+namespace hexfeature {
+namespace {
+
+LabelledSurface labelled(const Regions& regions, const std::vector<Label>& labels) {
+  LabelledSurface surface;
+  surface.mesh = regions.mesh;
+  surface.label.resize(regions.site.size());
+  for (std::size_t t = 0; t < regions.site.size(); ++t) surface.label[t] = labels[regions.site[t]];
+  return surface;
+}
+
+}  // namespace
+
+LabelResult label_regions(const SurfaceMesh& mesh, const Geometry& geometry, const LabelOptions& options, const FillCheck& fill,
+                          Context& context) {
+  RegionOptions region_options;
+  region_options.size = options.size;
+  CutTree tree(cut_regions(mesh, geometry, region_options, context), geometry, options.size);
+
+  const auto fill_sites = [&](int cutting, const std::vector<Label>& labels) {
+    LabelSearch::Fill result;
+    if (!fill) {
+      result.ok = true;
+      return result;
+    }
+    const Regions& regions = tree.regions(cutting);
+    const LabelledSurface surface = labelled(regions, labels);
+    FeatureShape shape = make_feature_shape(surface);
+    if (!check_validity(shape, options.size).valid()) return result;
+    const FillOutcome outcome = fill(surface.mesh, shape);
+    result.ok = outcome.ok;
+    for (int c : outcome.charts)
+      for (int t : shape.cells.parts[c].triangles) result.sites.push_back(regions.site[t]);
+    std::sort(result.sites.begin(), result.sites.end());
+    result.sites.erase(std::unique(result.sites.begin(), result.sites.end()), result.sites.end());
+    return result;
+  };
+  SearchOptions search_options;
+  search_options.size = options.size;
+  search_options.max_expansions = options.max_expansions;
+  search_options.max_work = 1.5e7 * options.time_limit;
+  LabelSearch search(tree, search_options, fill_sites, context);
+  const SearchResult found = search.run();
+
+  LabelResult result;
+  const Regions& regions = tree.regions(found.best.cutting);
+  result.surface = labelled(regions, found.best.labels);
+  result.shape = make_feature_shape(result.surface);
+  result.validity = check_validity(result.shape, options.size);
+  result.filled = found.best.filled;
+  result.energy = found.best.score.energy;
+  result.defects = found.best.score.defects;
+  result.expansions = found.expansions;
+  result.sites = regions.site;
+  context.log("labels: " + std::to_string(tree.graph(found.best.cutting).site_count()) + " sites, " + std::to_string(found.expansions) +
+              " expansions, " + std::to_string(found.scored) + " label sets scored, " + std::to_string(found.fills) + " filled");
+  return result;
+}
+
+}  // namespace hexfeature

@@ -1,0 +1,369 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#include "label/label_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hexfeature {
+namespace {
+
+constexpr double kDefectWeight = 0.8, kEnergyWeight = 3, kSplitWeight = 0.1, kFillWeight = 0.75;
+constexpr double kPutBack = 0.12;      // a state put back for its next candidates is worse by this
+constexpr std::size_t kOpen = 20000;   // states kept waiting
+constexpr std::size_t kChildren = 60;  // best children of one expansion that are kept
+constexpr int kSitesPerExpansion = 14;
+constexpr int kSplitSites = 5;
+constexpr double kLeastCosine = -0.3;  // a site never takes a label that its normals oppose more
+constexpr int kAfterBest = 40;         // expansions spent on improving a filled state
+constexpr double kFillWork = 3e5;      // counted work of one fill check
+constexpr double kSplitWork = 2e4;
+constexpr double kTangent = 20 * EIGEN_PI / 180;
+
+double total_of(const LabelState& s, const CutTree& tree) {
+  return s.score.violations + kDefectWeight * s.score.defects + kEnergyWeight * s.score.energy + kSplitWeight * tree.splits(s.cutting) +
+         (s.fill_tried && !s.filled ? kFillWeight : 0);
+}
+
+std::uint64_t hash_of(const LabelState& s) {
+  std::uint64_t h = 1469598103934665603ull ^ static_cast<std::uint64_t>(s.cutting);
+  for (Label l : s.labels) h = (h ^ static_cast<std::uint64_t>(l)) * 1099511628211ull;
+  return h ^ h >> 29;
+}
+
+}  // namespace
+
+LabelSearch::LabelSearch(CutTree& tree, const SearchOptions& options, FillSites fill, Context& context)
+    : tree_(tree), options_(options), fill_(std::move(fill)), context_(context), scorer_(options.size) {}
+
+/// Score a state; false when it was seen before.
+bool LabelSearch::evaluate(LabelState& state) {
+  if (!seen_.insert(hash_of(state)).second) return false;
+  const MacroGraph& graph = tree_.graph(state.cutting);
+  state.score = scorer_.score(graph, state.labels);
+  state.total = total_of(state, tree_);
+  ++result_.scored;
+  result_.work += graph.edge_count() + graph.site_count();
+  if ((result_.scored & 255) == 0) context_.check();
+  return true;
+}
+
+void LabelSearch::push(LabelState&& state) {
+  if (!have_best_ && (result_.best.labels.empty() || state.score.violations < result_.best.score.violations - 1e-12 ||
+                      (state.score.violations < result_.best.score.violations + 1e-12 && state.total < result_.best.total - 1e-12)))
+    result_.best = state;
+  const double key = state.total + kPutBack * state.phase;
+  open_.emplace(key, std::move(state));
+  if (open_.size() > kOpen) open_.erase(std::prev(open_.end()));
+}
+
+std::vector<Label> LabelSearch::nearest_labels(const MacroGraph& graph) const {
+  std::vector<Label> labels(graph.site_count());
+  for (int s = 0; s < graph.site_count(); ++s)
+    labels[s] = static_cast<Label>(std::min_element(graph.fidelity[s].begin(), graph.fidelity[s].end()) - graph.fidelity[s].begin());
+  return labels;
+}
+
+/// Iterated conditional modes: every site in turn takes the label that is cheapest given its neighbours.
+void LabelSearch::iterate_modes(const MacroGraph& graph, std::vector<Label>& labels, double differ) const {
+  constexpr double kDefect = kDefectWeight / kEnergyWeight;
+  for (int sweep = 0; sweep < 20; ++sweep) {
+    bool changed = false;
+    for (int s = 0; s < graph.site_count(); ++s) {
+      std::array<double, 6> cost;
+      for (Label l = 0; l < 6; ++l) cost[l] = graph.fidelity[s][l] + kDefect * graph.defect[s][l];
+      for (int i = graph.site_first[s]; i < graph.site_first[s + 1]; ++i) {
+        const int d = graph.site_darts[i];
+        const auto& e = graph.edges[d / 2];
+        const Label other = labels[graph.right_of(d)];
+        for (Label l = 0; l < 6; ++l)
+          cost[l] += l == other ? e.same + kDefect * e.same_defect : differ * e.differ + (l == opposite(other) ? e.opposed : 0);
+      }
+      const Label best = static_cast<Label>(std::min_element(cost.begin(), cost.end()) - cost.begin());
+      if (cost[best] < cost[labels[s]] - 1e-12) {
+        labels[s] = best;
+        changed = true;
+      }
+    }
+    if (!changed) break;
+  }
+}
+
+/// A small site surrounded by one label takes it, or lends its own to a neighbour, if violations fall and defects hardly rise.
+void LabelSearch::merge_islands(LabelState& state) {
+  const MacroGraph& graph = tree_.graph(state.cutting);
+  const double small = options_.size * options_.size;
+  for (int s = 0; s < graph.site_count(); ++s) {
+    if (graph.area[s] > small || graph.site_first[s] == graph.site_first[s + 1]) continue;
+    const Label round = state.labels[graph.right_of(graph.site_darts[graph.site_first[s]])];
+    bool alone = round != state.labels[s];
+    for (int i = graph.site_first[s]; i < graph.site_first[s + 1] && alone; ++i)
+      alone = state.labels[graph.right_of(graph.site_darts[i])] == round;
+    if (!alone) continue;
+    const auto attempt = [&](int site, Label label) {
+      LabelState next = state;
+      next.labels[site] = label;
+      next.score = scorer_.score(graph, next.labels);
+      ++result_.scored;
+      if (next.score.violations > state.score.violations - 1e-9 || next.score.defects > state.score.defects + 0.05) return false;
+      state = std::move(next);
+      return true;
+    };
+    if (attempt(s, round)) continue;
+    for (int i = graph.site_first[s]; i < graph.site_first[s + 1]; ++i) {
+      const int t = graph.right_of(graph.site_darts[i]);
+      if (graph.cosine[t][state.labels[s]] > 0.3 && attempt(t, state.labels[s])) break;
+    }
+  }
+  state.total = total_of(state, tree_);
+}
+
+void LabelSearch::push_starts() {
+  const MacroGraph& graph = tree_.graph(0);
+  std::vector<std::vector<Label>> starts = {nearest_labels(graph)};
+  for (double differ : {0.3, 1.0, 3.0}) {
+    starts.push_back(starts.front());
+    iterate_modes(graph, starts.back(), differ);
+  }
+  for (auto& labels : starts) {
+    LabelState state;
+    state.labels = std::move(labels);
+    if (!evaluate(state)) continue;
+    LabelState merged = state;
+    merge_islands(merged);
+    push(std::move(state));
+    if (evaluate(merged)) push(std::move(merged));
+  }
+}
+
+void LabelSearch::keep_best(const LabelState& state) {
+  if (have_best_ && state.total >= result_.best.total - 1e-12) return;
+  have_best_ = true;
+  result_.best = state;
+}
+
+void LabelSearch::fill(LabelState& state) {
+  ++result_.fills;
+  result_.work += kFillWork;
+  Fill filled = fill_(state.cutting, state.labels);
+  state.fill_tried = true;
+  state.filled = filled.ok;
+  state.fill_blame = std::move(filled.sites);
+  state.total = total_of(state, tree_);
+}
+
+bool LabelSearch::finished() const {
+  return open_.empty() || result_.expansions >= options_.max_expansions || result_.work > options_.max_work || after_best_ > kAfterBest;
+}
+
+/// Sites in the order in which they are worth changing: the most blamed one, the blamed ones that touch it and each other, then the next
+/// cluster: independent defects are repaired one after another, not in all orders at once.
+std::vector<int> LabelSearch::sites_to_repair(const LabelState& state) {
+  const MacroGraph& graph = tree_.graph(state.cutting);
+  scorer_.score(graph, state.labels);
+  scorer_.blame(graph, state.labels, blame_);
+  for (int s : state.fill_blame) blame_[s] += kFillWeight;
+  std::vector<int> blamed, order;
+  for (int s = 0; s < graph.site_count(); ++s)
+    if (blame_[s] > 1e-9) blamed.push_back(s);
+  const auto more = [&](int a, int b) { return blame_[a] != blame_[b] ? blame_[a] > blame_[b] : a < b; };
+  std::sort(blamed.begin(), blamed.end(), more);
+  std::vector<char> taken(graph.site_count(), 0);
+  for (int seed : blamed) {
+    if (taken[seed]) continue;
+    std::vector<int> front = {seed};
+    taken[seed] = 1;
+    while (!front.empty()) {
+      const auto top = std::min_element(front.begin(), front.end(), more);
+      const int s = *top;
+      front.erase(top);
+      order.push_back(s);
+      for (int i = graph.site_first[s]; i < graph.site_first[s + 1]; ++i) {
+        const int t = graph.right_of(graph.site_darts[i]);
+        if (taken[t] || blame_[t] <= 1e-9) continue;
+        taken[t] = 1;
+        front.push_back(t);
+      }
+    }
+  }
+  return order;
+}
+
+void LabelSearch::expand_labels(const LabelState& state, const int* first, const int* last) {
+  const MacroGraph& graph = tree_.graph(state.cutting);
+  scorer_.score(graph, state.labels);
+  const std::vector<int> site_chart = scorer_.site_chart;
+  std::vector<int> group;
+  const auto relabel = [&](const std::vector<int>& sites) {
+    double area = 0;
+    std::array<double, 6> cosine{};
+    for (int s : sites) {
+      area += graph.area[s];
+      for (Label l = 0; l < 6; ++l) cosine[l] += graph.area[s] * graph.cosine[s][l];
+    }
+    for (Label l = 0; l < 6; ++l) {
+      if (cosine[l] <= kLeastCosine * area) continue;
+      LabelState child;
+      child.cutting = state.cutting;
+      child.labels = state.labels;
+      for (int s : sites) child.labels[s] = l;
+      if (evaluate(child)) children_.push_back(std::move(child));
+    }
+  };
+  for (const int* p = first; p != last; ++p) {
+    const int s = *p;
+    relabel({s});
+    group.clear();
+    for (int t = 0; t < graph.site_count(); ++t)
+      if (site_chart[t] == site_chart[s]) group.push_back(t);
+    if (group.size() > 1) relabel(group);
+    group.clear();
+    for (int t = 0; t < graph.site_count(); ++t)
+      if (graph.face[t] == graph.face[s]) group.push_back(t);
+    if (group.size() > 1) relabel(group);
+    for (int i = graph.site_first[s]; i < graph.site_first[s + 1]; ++i) {
+      const int d = graph.site_darts[i], t = graph.right_of(d);
+      if (std::abs(graph.edges[d / 2].dihedral) < kTangent || graph.face[t] == graph.face[s]) relabel({s, t});
+    }
+  }
+}
+
+void LabelSearch::split(const LabelState& state, const SiteCut& cut) {
+  result_.work += kSplitWork;
+  context_.check();
+  const int cutting = tree_.child(state.cutting, cut);
+  if (cutting < 0) return;
+  const MacroGraph& graph = tree_.graph(cutting);
+  const int old_sites = static_cast<int>(state.labels.size());
+  std::vector<Label> labels = state.labels;
+  labels.resize(graph.site_count(), state.labels[cut.site]);
+  std::vector<int> parts = {cut.site};
+  for (int s = old_sites; s < graph.site_count(); ++s) parts.push_back(s);
+  for (int p : parts)
+    for (Label l = 0; l < 6; ++l) {
+      if (l == labels[p] || graph.cosine[p][l] <= kLeastCosine) continue;
+      LabelState child;
+      child.cutting = cutting;
+      child.labels = labels;
+      child.labels[p] = l;
+      if (evaluate(child)) children_.push_back(std::move(child));
+    }
+  if (parts.size() > 2)  // all new parts together
+    for (Label l = 0; l < 6; ++l) {
+      LabelState child;
+      child.cutting = cutting;
+      child.labels = labels;
+      for (std::size_t i = 1; i < parts.size(); ++i) child.labels[parts[i]] = l;
+      if (l != labels[cut.site] && evaluate(child)) children_.push_back(std::move(child));
+    }
+}
+
+void LabelSearch::expand_splits(const LabelState& state, const int* first, const int* last) {
+  const double h = options_.size;
+  // Tilted faces first: a part of a face square to an axis can only be flattened.
+  const MacroGraph& graph = tree_.graph(state.cutting);
+  std::vector<int> sites(first, last);
+  std::stable_sort(sites.begin(), sites.end(),
+                   [&](int a, int b) { return blame_[a] * (0.3 + graph.tilt[a]) > blame_[b] * (0.3 + graph.tilt[b]); });
+  if (static_cast<int>(sites.size()) > kSplitSites) sites.resize(kSplitSites);
+  for (int s : sites) {
+    if (graph.area[s] < 0.1 * h * h) continue;
+    const Vec3 low = graph.low[s], high = graph.high[s];
+    const std::vector<int> darts(graph.site_darts.begin() + graph.site_first[s], graph.site_darts.begin() + graph.site_first[s + 1]);
+    for (int d : darts) {
+      const double extent = tree_.extent(state.cutting, d);
+      SiteCut cut;
+      cut.kind = SiteCut::Strip;
+      cut.site = s;
+      cut.dart = d;
+      cut.width = std::min(0.5 * extent, std::max(1.3 * h, 0.3 * extent));
+      if (cut.width > 0.1 * h) split(state, cut);
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      if (high[axis] - low[axis] < 0.8 * h) continue;
+      SiteCut cut;
+      cut.kind = SiteCut::Across;
+      cut.site = s;
+      cut.axis = axis;
+      cut.coordinate = 0.5 * (low[axis] + high[axis]);
+      split(state, cut);
+    }
+    SiteCut cut;
+    cut.kind = SiteCut::Creases;
+    cut.site = s;
+    cut.degrees = 10;
+    split(state, cut);
+  }
+}
+
+/// Label moves on the best state that lower its total while it stays valid and still fills.
+void LabelSearch::polish() {
+  if (!have_best_) return;
+  const MacroGraph& graph = tree_.graph(result_.best.cutting);
+  LabelState state = result_.best;
+  int accepted = 0;
+  for (int sweep = 0; sweep < 3; ++sweep) {
+    const int before = accepted;
+    for (int s = 0; s < graph.site_count(); ++s) {
+      for (Label l = 0; l < 6; ++l) {
+        if (l == state.labels[s] || graph.cosine[s][l] < 0.17) continue;
+        LabelState next = state;
+        next.labels[s] = l;
+        next.score = scorer_.score(graph, next.labels);
+        next.total = total_of(next, tree_);
+        result_.work += graph.edge_count();
+        if (!next.score.valid() || next.total > state.total - 1e-4) continue;
+        state = std::move(next);
+        ++accepted;
+      }
+      if ((s & 15) == 0) context_.check();
+    }
+    if (accepted == before) break;
+  }
+  if (accepted == 0) return;
+  fill(state);
+  if (state.filled) keep_best(state);
+}
+
+SearchResult LabelSearch::run() {
+  push_starts();
+  while (!finished()) {
+    context_.check();
+    LabelState state = std::move(open_.begin()->second);
+    open_.erase(open_.begin());
+    if (state.score.valid() && !state.fill_tried) {
+      fill(state);
+      if (state.filled) {
+        keep_best(state);
+        if (result_.best.score.defects < options_.good_defects) break;
+      } else {
+        push(std::move(state));
+        continue;
+      }
+    }
+    // Nothing that starts so much worse than what fills already is likely to end better.
+    if (have_best_) {
+      if (state.total > result_.best.total + 0.3) break;
+      ++after_best_;
+    }
+    ++result_.expansions;
+    const std::vector<int> order = sites_to_repair(state);
+    // Phases alternate: labels of the first sites, splits of these, labels of the next sites, ...
+    const int slice = state.phase / 2, begin = slice * kSitesPerExpansion;
+    const int end = std::min(static_cast<int>(order.size()), begin + kSitesPerExpansion);
+    if (begin >= end) continue;
+    children_.clear();
+    if (state.phase % 2 == 0)
+      expand_labels(state, order.data() + begin, order.data() + end);
+    else
+      expand_splits(state, order.data() + begin, order.data() + end);
+    std::stable_sort(children_.begin(), children_.end(), [](const LabelState& a, const LabelState& b) { return a.total < b.total; });
+    if (children_.size() > kChildren) children_.resize(kChildren);
+    for (LabelState& child : children_) push(std::move(child));
+    ++state.phase;
+    push(std::move(state));
+  }
+  polish();
+  return std::move(result_);
+}
+
+}  // namespace hexfeature

@@ -1,0 +1,87 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <unordered_set>
+#include <vector>
+
+#include "base/context.h"
+#include "label/cut_tree.h"
+#include "label/label_score.h"
+
+namespace hexfeature {
+
+/// Labels of the sites of one cutting, and what they are worth.
+struct LabelState {
+  int cutting = 0;  ///< of the CutTree
+  std::vector<Label> labels;
+  LabelScore score;
+  bool fill_tried = false;
+  bool filled = false;
+  std::vector<int> fill_blame;  ///< sites, when the fill failed
+  double total = 0;             ///< what the search minimises
+  int phase = 0;                ///< how often it has been expanded
+};
+
+struct SearchOptions {
+  double size = 1;             ///< element size h
+  int max_expansions = 4000;   ///< bound on expansions
+  double max_work = 6e7;       ///< bound on counted work: macro edges looked at (about 10 million a second)
+  double good_defects = 0.05;  ///< a filled state with fewer soft defects ends the search
+};
+
+struct SearchResult {
+  LabelState best;  ///< filled if any was; else the one with the fewest violations
+  int expansions = 0;
+  int scored = 0;
+  int fills = 0;
+  double work = 0;
+};
+
+/// Best-first repair of site labels (experiments A7): starts from the nearest axes and from iterated conditional modes; expands the
+/// sites to blame, one cluster of defects at a time, by relabelling a site, its chart, a site with a neighbour or a CAD face, and by
+/// splitting; a state is put back for its next candidates. Valid states are filled; the first one that fills and has few soft
+/// defects ends the search. Deterministic.
+class LabelSearch {
+ public:
+  struct Fill {
+    bool ok = false;
+    std::vector<int> sites;  ///< to blame
+  };
+  using FillSites = std::function<Fill(int cutting, const std::vector<Label>& labels)>;
+
+  LabelSearch(CutTree& tree, const SearchOptions& options, FillSites fill, Context& context);
+  SearchResult run();
+
+ private:
+  bool evaluate(LabelState& state);
+  void push(LabelState&& state);
+  void push_starts();
+  std::vector<Label> nearest_labels(const MacroGraph& graph) const;
+  void iterate_modes(const MacroGraph& graph, std::vector<Label>& labels, double differ) const;
+  void merge_islands(LabelState& state);
+  void fill(LabelState& state);
+  bool finished() const;
+  void keep_best(const LabelState& state);
+  std::vector<int> sites_to_repair(const LabelState& state);
+  void expand_labels(const LabelState& state, const int* first, const int* last);
+  void expand_splits(const LabelState& state, const int* first, const int* last);
+  void split(const LabelState& state, const SiteCut& cut);
+  void polish();
+
+  CutTree& tree_;
+  SearchOptions options_;
+  FillSites fill_;
+  Context& context_;
+  LabelScorer scorer_;
+  SearchResult result_;
+  bool have_best_ = false;
+  int after_best_ = 0;  // expansions since something filled
+  std::multimap<double, LabelState> open_;
+  std::unordered_set<std::uint64_t> seen_;
+  std::vector<LabelState> children_;
+  std::vector<double> blame_;
+};
+
+}  // namespace hexfeature
