@@ -1,0 +1,18 @@
+# HexFeatureWB - LGPL-2.1-or-later
+"""`python -m hexfeature` is the command line."""
+import sys
+
+
+def run():
+    """The console script. Ctrl-C is answered even while the modules are being loaded."""
+    try:
+        from hexfeature.cli import main
+
+        return main()
+    except KeyboardInterrupt:
+        sys.stderr.write("hexfeature: cancelled\n")
+        return 130
+
+
+if __name__ == "__main__":
+    sys.exit(run())

@@ -1,0 +1,207 @@
+# HexFeatureWB - LGPL-2.1-or-later
+"""The command line: hexfeature mesh | info | version.
+
+Exit codes: 0 done, 2 usage, 3 bad input, 4 no mesh, 5 output, 130 cancelled. Errors go to standard error as step, reason
+and hint; so does progress; data goes to standard output.
+"""
+import argparse
+import sys
+import time
+
+from hexfeature import _core, api
+from hexfeature.errors import EXIT_CODES, MeshingError, make_error, system_error
+
+STEPS_WITHOUT_PICTURE = ("read", "frame")
+
+
+def main(arguments=None):
+    """Run the command line; returns the exit code. Never raises."""
+    verbose = "--verbose" in (sys.argv[1:] if arguments is None else arguments)
+    try:
+        choice = _parser().parse_args(arguments)
+        return choice.run(choice)
+    except MeshingError as error:
+        return _tell(error)
+    except KeyboardInterrupt:
+        return _tell(make_error("cancelled", "run", "cancelled"))
+    except MemoryError:
+        return _tell(make_error("no_mesh", "run", "out of memory", "use a larger size"))
+    except BrokenPipeError:
+        return EXIT_CODES["output"]
+    except SystemExit as end:  # argparse: 0 after --help, 2 after a mistake
+        return end.code
+    except Exception as error:
+        if verbose:
+            raise
+        return _tell(make_error("no_mesh", "run", f"internal error: {type(error).__name__}: {error}",
+                                "run again with --verbose and report what it prints"))
+
+
+def _tell(error):
+    sys.stderr.write(f"hexfeature: error in step {error.step}: {error.reason}\n")
+    if error.cad_faces:
+        names = ", ".join(f"Face{f}" for f in error.cad_faces[:20])
+        sys.stderr.write(f"  at: {names}{' ...' if len(error.cad_faces) > 20 else ''}\n")
+    if error.hint:
+        sys.stderr.write(f"  hint: {error.hint}\n")
+    return EXIT_CODES.get(error.kind, EXIT_CODES["no_mesh"])
+
+
+# ---------------------------------------------------------------- arguments
+class _Parser(argparse.ArgumentParser):
+    def error(self, message):
+        raise make_error("usage", "options", message, f"see {self.prog} --help")
+
+
+def _parser():
+    parser = _Parser(prog="hexfeature", description="All-hexahedral meshes of CAD parts, by feature-line extraction.")
+    commands = parser.add_subparsers(metavar="COMMAND", required=True)
+
+    mesh = commands.add_parser("mesh", help="mesh a part", description="Mesh a part.")
+    mesh.set_defaults(run=_mesh)
+    _add_part(mesh)
+    mesh.add_argument("-o", "--output", metavar="MESH", help="mesh file; the format by its ending: .vtk .vtu .inp .unv .med .msh")
+    mesh.add_argument("--report", metavar="R.json", help="write what was done and how good it is")
+    mesh.add_argument("--config", metavar="C.json", help="options as JSON, {\"size\": 4, ...}; the command line's own come first")
+    mesh.add_argument("--element-type", default="", metavar="TYPE", help=".inp: C3D8, C3D8R, C3D8I; order 2: C3D20R, C3D20")
+    mesh.add_argument("--verbose", action="store_true", help="say every step, and print a traceback of an internal error")
+    mesh.add_argument("--quiet", action="store_true", help="print nothing but errors")
+    advanced = mesh.add_argument_group("advanced options")
+    for option in api.options():
+        _add_option(advanced if option.advanced else mesh, option)
+
+    info = commands.add_parser("info", help="read a part and print what it is, as JSON", description="Read a part and print what it is.")
+    info.set_defaults(run=_info)
+    _add_part(info)
+
+    version = commands.add_parser("version", help="print the version")
+    version.set_defaults(run=_version)
+    return parser
+
+
+def _add_part(parser):
+    parser.add_argument("part", metavar="PART", help=".step .stp .iges .igs .brep .brp .stl .obj .ply .FCStd")
+    parser.add_argument("--object", metavar="NAME", help=".FCStd: name or label of the object, when there is more than one solid")
+
+
+def _add_option(group, option):
+    flag = "--" + option.name.replace("_", "-")
+    text = option.help.replace("%", "%%")
+    if option.type == "bool":
+        group.add_argument(flag, action=argparse.BooleanOptionalAction, default=argparse.SUPPRESS, help=text)
+        return
+    default = f" (default {option.default})" if option.default != "" and option.name != "size" else ""
+    names = [c for c in option.choices if c]
+    metavar = "{" + ",".join(names) + "}" if names else option.name[0].upper() if option.name == "size" else "N" if option.type != "str" else "TEXT"
+    kind = {"float": float, "int": int, "str": str}[option.type]
+    group.add_argument(flag, type=kind, default=argparse.SUPPRESS, metavar=metavar, help=text + default)
+
+
+def _options_of(choice):
+    """The config file's options, overruled by the command line's."""
+    chosen = _read_config(choice.config) if choice.config else {}
+    chosen.update({o.name: getattr(choice, o.name) for o in api.options() if hasattr(choice, o.name)})
+    return chosen
+
+
+def _read_config(path):
+    import json
+
+    try:
+        with open(path, encoding="utf-8") as file:
+            config = json.load(file)
+    except OSError as error:
+        raise system_error("usage", "options", f"cannot read '{path}'", error, "check the name of the options file") from None
+    except ValueError as error:
+        raise make_error("usage", "options", f"'{path}' is not valid JSON: {error}", 'it should read like {"size": 4, "order": 2}') from None
+    if not isinstance(config, dict):
+        raise make_error("usage", "options", f"'{path}' must hold an object", 'it should read like {"size": 4, "order": 2}')
+    return config
+
+
+# ---------------------------------------------------------------- commands
+def _mesh(choice):
+    from hexfeature import formats, report
+
+    started = time.monotonic()
+    options = _options_of(choice)
+    stop_after = options.get("stop_after", "")
+    _check_outputs(choice, stop_after, formats)
+    progress = Progress(choice.verbose, choice.quiet)
+    try:
+        mesh = api.mesh(choice.part, object_name=choice.object, progress=progress.callback(), log=progress.log, **options)
+        progress.done()
+        if choice.output:
+            if stop_after:
+                mesh.write_stage(stop_after, choice.output)
+            else:
+                mesh.write(choice.output, choice.element_type)
+    except MeshingError as error:
+        progress.done()
+        if choice.report:
+            report.write(report.of_error(error, choice.part, time.monotonic() - started), choice.report)
+        raise
+    if choice.report:
+        report.write(report.of_mesh(mesh, choice.part, time.monotonic() - started), choice.report)
+    if not choice.quiet:
+        for warning in mesh.report["warnings"]:
+            sys.stderr.write(f"hexfeature: warning: {warning}\n")
+        sys.stderr.write(report.summary(mesh.report) + "\n")
+    return 0
+
+
+def _check_outputs(choice, stop_after, formats):
+    """Before the work: what could not be written afterwards."""
+    if choice.output and stop_after in STEPS_WITHOUT_PICTURE:
+        raise make_error("usage", "options", f"there is nothing to write after step '{stop_after}'", "leave -o out and ask for a --report")
+    if choice.output:
+        formats.check_output(choice.output, [".vtk"] if stop_after else None)
+    elif not stop_after:
+        raise make_error("usage", "options", "no mesh file given", "add -o MESH, as in -o part.vtk")
+    if choice.report:
+        formats.check_output(choice.report, [])
+
+
+def _info(choice):
+    import json
+
+    mesh = api.mesh(choice.part, object_name=choice.object, stop_after="read")
+    facts = dict(mesh.report["part"], warnings=mesh.report["warnings"], suggested_size=mesh.report["options"]["size"])
+    print(json.dumps({"part_file": choice.part, **facts}, indent=1))
+    return 0
+
+
+def _version(_choice):
+    print(_core.__version__)
+    return 0
+
+
+class Progress:
+    """Progress on standard error: one changing line on a terminal, a line a step with --verbose, else nothing."""
+
+    def __init__(self, verbose, quiet):
+        self._verbose = verbose
+        self._live = not quiet and not verbose and sys.stderr.isatty()
+        self._step, self._shown = "", 0.0
+        self.log = self._log if verbose else None
+
+    def callback(self):
+        """What to hand to `mesh`; None when nobody looks, which saves the calls."""
+        return self._progress if self._verbose or self._live else None
+
+    def done(self):
+        if self._live:
+            sys.stderr.write("\r\033[K")
+
+    def _progress(self, step, fraction):
+        if self._verbose:
+            if step != self._step:
+                self._log(f"step {step}")
+        elif step != self._step or time.monotonic() - self._shown > 0.1:
+            sys.stderr.write(f"\r\033[K{step} {100 * fraction:3.0f}%")
+            sys.stderr.flush()
+            self._shown = time.monotonic()
+        self._step = step
+
+    def _log(self, line):
+        sys.stderr.write(line + "\n")
