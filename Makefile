@@ -1,0 +1,46 @@
+# The front door. Every target can be run on a fresh clone, and again: it installs and builds what it needs.
+PYTHON := /usr/bin/python3
+PRESET := $(if $(CI),ci,release)
+PYTEST := PYTHONPATH=python $(PYTHON) -m pytest -p no:cacheprovider
+
+cpp_files = $(shell git ls-files 'cpp/*.cpp' 'cpp/*.h' 'tests/cpp/*.cpp' 'tests/cpp/*.h')
+
+.PHONY: help deps build test test-cpp test-freecad test-python lint format wheel clean
+
+help:  ## this list
+	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*##/\t/' | expand -t 16
+
+deps:  ## install the Debian packages that are missing
+	@packaging/install_missing.sh packaging/debian-packages.txt
+
+build: deps  ## the extension and the launcher build/hexfeature
+	@cmake --preset $(PRESET) >build-configure.log 2>&1 || { cat build-configure.log; rm -f build-configure.log; exit 1; }
+	@rm -f build-configure.log
+	cmake --build build
+
+test: build test-cpp test-freecad test-python  ## all tests but the GUI's
+
+test-cpp: build
+	ctest --test-dir build --output-on-failure --progress
+
+test-freecad: build
+	PYTHONPATH=python:tests/freecad QT_QPA_PLATFORM=offscreen freecadcmd -P python -P tests/freecad -t TestHexFeature
+
+test-python: build
+	$(PYTEST) tests/python
+
+lint: deps  ## formatting and static checks
+	clang-format --dry-run --Werror $(cpp_files)
+	flake8 python tests
+
+format: deps  ## format the C++ sources
+	clang-format -i $(cpp_files)
+
+wheel: deps  ## a wheel in dist/, built in an environment of its own
+	$(PYTHON) -m venv build/wheel-env
+	build/wheel-env/bin/pip install --quiet build
+	build/wheel-env/bin/python -m build --wheel --outdir dist .
+
+clean:  ## forget everything built
+	rm -rf build build-debug build-sanitize dist
+	rm -f python/hexfeature/_core*.so
