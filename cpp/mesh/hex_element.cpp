@@ -48,6 +48,10 @@ bool positive(const Coefficients& b, int depth) {
 double scaled_jacobian(const std::vector<Vec3>& points, const std::array<int, 8>& hex) {
   std::array<Vec3, 8> x;
   for (int k = 0; k < 8; ++k) x[k] = points[hex[k]];
+  return scaled_jacobian(x);
+}
+
+double scaled_jacobian(const std::array<Vec3, 8>& x) {
   double least = 2;
   for (const auto& c : kHexCorners) {
     const double value = scaled_determinant(x[c[1]] - x[c[0]], x[c[2]] - x[c[0]], x[c[3]] - x[c[0]]);

@@ -13,6 +13,7 @@ namespace hexfeature {
 /// An element with an edge of no length has 0 there.
 /// Source: Stimpson et al., "The Verdict Library Reference Manual", Sandia National Laboratories, 2007, section 7.14.
 double scaled_jacobian(const std::vector<Vec3>& points, const std::array<int, 8>& hex);
+double scaled_jacobian(const std::array<Vec3, 8>& corners);
 
 /// The 27 Bernstein coefficients of the Jacobian determinant of the trilinear map from the unit cube, of degree 2 in each
 /// variable (r, s, t); coefficient (i, j, k) is at 9 i + 3 j + k. They bound the determinant from both sides on the whole

@@ -1,0 +1,64 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#pragma once
+#include <vector>
+
+#include "mesh/projector.h"
+#include "mesh/surface_mesh.h"
+#include "smooth/workers.h"
+
+namespace hexfeature {
+
+/// The sliding of boundary points on their CAD entities: feet (closest points), the tangent planes and lines there, and what
+/// these mean for a gradient. Coordinates are flat, 3 a point; lengths in the part's unit.
+class Boundary {
+ public:
+  /// `place` of each point; a point that is not `free` is never moved. `size` is the element size h.
+  Boundary(const std::vector<CadPlace>& place, const std::vector<char>& free, const Projector& projector, double size, Workers& workers);
+
+  /// Find the feet of all boundary points, from the parameters of their last ones. Returns the largest distance.
+  double find_feet(const std::vector<double>& x);
+  /// The same for some of them: `which` per point.
+  void find_feet(const std::vector<double>& x, const std::vector<char>& which);
+  /// Put all boundary points onto their feet: the CAD's own points, exactly.
+  void snap(std::vector<double>& x);
+
+  /// Where a foot is on the rim of its face (or at the end of its curve) and the descent leads outward, the point may from
+  /// now on move along the rim only. Call before a descent on the tangent spaces.
+  void hold_at_rims(const std::vector<double>& gradient);
+  /// Leave of the gradient only what moves points within their tangent plane or line.
+  void make_tangent(std::vector<double>& gradient) const;
+  /// Corners stay; everything else is free (for the soft rounds).
+  void fix_corners(std::vector<double>& gradient) const;
+
+  /// weight / h^2 times the squared distance from the tangent planes and lines; adds to `gradient`.
+  double add_penalty(const std::vector<double>& x, double weight, std::vector<double>& gradient) const;
+  /// Divide by `stiffness` (one number a point), and by stiffness + 2 weight / h^2 in the penalised directions.
+  void divide(std::vector<double>& r, const std::vector<double>& stiffness, double weight) const;
+
+  /// Whether a boundary point has moved farther than `limit` from where it was at the last find_feet or snap.
+  bool drifted(const std::vector<double>& x, double limit) const;
+  /// Write the feet's parameters into the places.
+  void store(std::vector<CadPlace>& place) const;
+  bool empty() const { return node_.empty(); }
+
+ private:
+  enum class Motion : char { Fixed, Line, Plane };  ///< what `make_tangent` leaves
+  void find_foot(int i, const Vec3& p);
+  Vec3 penalised(int i, const Vec3& d) const;
+
+  std::vector<int> node_, entity_;
+  std::vector<char> dim_;
+  std::vector<char> clamped_;  ///< the foot is on the rim, the point was beyond it
+  std::vector<Motion> motion_;
+  std::vector<Vec2> parameter_;
+  std::vector<Vec3> foot_, origin_;
+  std::vector<Vec3> axis_;     ///< the surface's normal or the curve's tangent at the foot
+  std::vector<Vec3> outward_;  ///< where clamped: unit vector away from the face, in its tangent plane; or along the curve
+  std::vector<Vec3> line_;     ///< where motion is Line: its direction
+  std::vector<int> fixed_;     ///< points that are not free
+  const Projector& projector_;
+  double size_;
+  Workers& workers_;
+};
+
+}  // namespace hexfeature

@@ -1,0 +1,183 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#include "smooth/energy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "mesh/hex_complex.h"
+
+namespace hexfeature {
+namespace {
+
+using Lanes = Eigen::Array<double, 4, 1>;
+
+/// Three coordinates, each of four elements.
+struct Vector {
+  Lanes x, y, z;
+};
+inline Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Lanes dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Vector cross(const Vector& a, const Vector& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+
+/// c^(-1/3) of positive numbers: a guess from the exponent bits, then Newton to the last digits; the same on every machine.
+inline Lanes inverse_cube_root(const Lanes& c) {
+  Lanes y;
+  for (int l = 0; l < 4; ++l) {
+    std::uint64_t bits;
+    const double value = c[l];
+    std::memcpy(&bits, &value, sizeof bits);
+    bits = 0x553EF0FF289DD796u - bits / 3;
+    double guess;
+    std::memcpy(&guess, &bits, sizeof guess);
+    y[l] = guess;
+  }
+  const Lanes third = c * (1.0 / 3.0);
+  for (int i = 0; i < 4; ++i) y = y * (4.0 / 3.0 - third * (y * y * y));
+  return y;
+}
+
+inline Lanes to_power(Lanes q, int p) {
+  for (; p > 1; p /= 2) q = q * q;
+  return q;
+}
+
+}  // namespace
+
+double HexEnergy::ideal(const EnergyTerms& terms) {
+  const double shape = (1 - terms.theta) * 3 + terms.theta * 2;
+  return 8 * (terms.power > 0 ? 1 + terms.shape_weight * shape : shape);
+}
+
+HexEnergy::HexEnergy(const std::vector<std::array<int, 8>>& hexes, int points, const std::vector<double>& target,
+                     const std::vector<double>& shortest, Workers& workers)
+    : hexes_(static_cast<int>(hexes.size())), points_(points), workers_(workers) {
+  const int groups = (hexes_ + kLanes - 1) / kLanes;
+  nodes_.resize(8 * kLanes * groups);
+  inverse_size_.resize(kLanes * groups);
+  shortest_.resize(kLanes * groups);
+  weight_.assign(kLanes * groups, 0.0);
+  parts_.resize(groups);
+  start_.assign(points + 1, 0);
+  for (int i = 0; i < kLanes * groups; ++i) {
+    const int h = std::min(i, hexes_ - 1), lane = i % kLanes;
+    const double ratio = shortest[h] / target[h];
+    inverse_size_[i] = 1 / target[h];
+    shortest_[i] = ratio * ratio;
+    weight_[i] = i < hexes_ ? 1 : 0;
+    for (int k = 0; k < 8; ++k) {
+      nodes_[(i / kLanes * 8 + k) * kLanes + lane] = 3 * hexes[h][k];
+      if (i < hexes_) ++start_[hexes[h][k] + 1];
+    }
+  }
+  for (int v = 0; v < points; ++v) start_[v + 1] += start_[v];
+  incident_.resize(8 * hexes_);
+  std::vector<int> next(start_.begin(), start_.end() - 1);
+  for (int h = 0; h < hexes_; ++h)
+    for (int k = 0; k < 8; ++k) incident_[next[hexes[h][k]]++] = (h / kLanes * 8 + k) * 3 * kLanes + h % kLanes;
+}
+
+template <bool kWorst>
+HexEnergy::Part HexEnergy::evaluate_group(int group, const double* x, const EnergyTerms& terms, double* slots) const {
+  const int* node = nodes_.data() + 8 * kLanes * group;
+  const Lanes inverse = Eigen::Map<const Lanes>(inverse_size_.data() + kLanes * group);
+  const Lanes weight = Eigen::Map<const Lanes>(weight_.data() + kLanes * group);
+  const Lanes wall = Eigen::Map<const Lanes>(shortest_.data() + kLanes * group);
+  Vector p[8];
+  for (int k = 0; k < 8; ++k)
+    for (int l = 0; l < kLanes; ++l) {
+      const double* from = x + node[k * kLanes + l];
+      p[k].x[l] = from[0] * inverse[l];
+      p[k].y[l] = from[1] * inverse[l];
+      p[k].z[l] = from[2] * inverse[l];
+    }
+  Vector grad[8];
+  for (Vector& g : grad) g.x = g.y = g.z = Lanes::Zero();
+
+  const double theta = terms.theta, epsilon2 = terms.epsilon_squared, shape = kWorst ? terms.shape_weight : 1;
+  Lanes energy = Lanes::Zero(), least = Lanes::Constant(std::numeric_limits<double>::infinity());
+  for (const auto& corner : kHexCorners) {
+    const Vector a = p[corner[1]] - p[corner[0]], b = p[corner[2]] - p[corner[0]], c = p[corner[3]] - p[corner[0]];
+    const Vector bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
+    const Lanes d = dot(a, bc), aa = dot(a, a), bb = dot(b, b), cc = dot(c, c), sum = aa + bb + cc;
+    least = least.min(d);
+    // chi without cancellation for d < 0, and chi' = chi / root.
+    const Lanes root = (epsilon2 + d * d).sqrt(), outer = root + d.abs();
+    const Lanes chi = (d >= 0).select(0.5 * outer, (0.5 * epsilon2) / outer);
+    const Lanes y = inverse_cube_root(chi), y2 = y * y, inverse_chi = y2 * y, slope = chi / root;
+    const Lanes f = sum * y2, g = (1 + d * d) * inverse_chi;
+    energy += shape * ((1 - theta) * f + theta * g);
+    Lanes alpha = (2 * (1 - theta) * shape) * y2;
+    Lanes beta = shape * (2 * theta * d * inverse_chi - slope * inverse_chi * ((1 - theta) * (2.0 / 3.0) * f + theta * g));
+    Lanes alpha_a = alpha, alpha_b = alpha, alpha_c = alpha;
+    if (kWorst) {
+      const Lanes q = (aa * bb * cc).sqrt() / d, power = to_power(q, terms.power), slope_q = terms.power * power;
+      const Lanes ia = aa.inverse(), ib = bb.inverse(), ic = cc.inverse();
+      const Lanes wa = (wall * ia - 1).max(0.0), wb = (wall * ib - 1).max(0.0), wc = (wall * ic - 1).max(0.0);
+      energy += power + 4 * (wa * wa + wb * wb + wc * wc);
+      alpha_a += slope_q * ia - 16 * wa * wall * ia * ia;
+      alpha_b += slope_q * ib - 16 * wb * wall * ib * ib;
+      alpha_c += slope_q * ic - 16 * wc * wall * ic * ic;
+      beta -= slope_q / d;
+    }
+    if (!slots) continue;
+    const Vector ga{alpha_a * a.x + beta * bc.x, alpha_a * a.y + beta * bc.y, alpha_a * a.z + beta * bc.z};
+    const Vector gb{alpha_b * b.x + beta * ca.x, alpha_b * b.y + beta * ca.y, alpha_b * b.z + beta * ca.z};
+    const Vector gc{alpha_c * c.x + beta * ab.x, alpha_c * c.y + beta * ab.y, alpha_c * c.z + beta * ab.z};
+    Vector& g0 = grad[corner[0]];
+    Vector& g1 = grad[corner[1]];
+    Vector& g2 = grad[corner[2]];
+    Vector& g3 = grad[corner[3]];
+    g1.x += ga.x, g1.y += ga.y, g1.z += ga.z;
+    g2.x += gb.x, g2.y += gb.y, g2.z += gb.z;
+    g3.x += gc.x, g3.y += gc.y, g3.z += gc.z;
+    g0.x -= ga.x + gb.x + gc.x, g0.y -= ga.y + gb.y + gc.y, g0.z -= ga.z + gb.z + gc.z;
+  }
+  if (slots) {
+    double* out = slots + 24 * kLanes * group;
+    for (int k = 0; k < 8; ++k) {
+      Eigen::Map<Lanes>(out + (3 * k) * kLanes) = grad[k].x * inverse;
+      Eigen::Map<Lanes>(out + (3 * k + 1) * kLanes) = grad[k].y * inverse;
+      Eigen::Map<Lanes>(out + (3 * k + 2) * kLanes) = grad[k].z * inverse;
+    }
+  }
+  // Empty lanes repeat the last element: harmless in the minimum, left out of the sum.
+  Part part{0, least.minCoeff()};
+  for (int l = 0; l < kLanes; ++l)
+    if (weight[l] > 0) part.energy += energy[l];
+  return part;
+}
+
+EnergyValue HexEnergy::evaluate(const double* x, const EnergyTerms& terms, double* gradient) {
+  const int groups = static_cast<int>(parts_.size());
+  if (gradient) slots_.resize(static_cast<std::size_t>(24) * kLanes * groups);
+  double* slots = gradient ? slots_.data() : nullptr;
+  workers_.run(groups, 64, [&](int begin, int end) {
+    for (int g = begin; g < end; ++g)
+      parts_[g] = terms.power > 0 ? evaluate_group<true>(g, x, terms, slots) : evaluate_group<false>(g, x, terms, slots);
+  });
+  EnergyValue value{0, std::numeric_limits<double>::infinity()};
+  for (const Part& part : parts_) {
+    value.energy += part.energy;
+    value.min_det = std::min(value.min_det, part.min_det);
+  }
+  if (!(value.energy < std::numeric_limits<double>::infinity()) || (terms.power > 0 && !(value.min_det > 0))) {
+    value.energy = std::numeric_limits<double>::infinity();
+    return value;
+  }
+  if (gradient)
+    workers_.run(points_, 512, [&](int begin, int end) {
+      for (int v = begin; v < end; ++v) {
+        double gx = 0, gy = 0, gz = 0;
+        for (int i = start_[v]; i < start_[v + 1]; ++i) {
+          const double* s = slots + incident_[i];
+          gx += s[0], gy += s[kLanes], gz += s[2 * kLanes];
+        }
+        gradient[3 * v] = gx, gradient[3 * v + 1] = gy, gradient[3 * v + 2] = gz;
+      }
+    });
+  return value;
+}
+
+}  // namespace hexfeature

@@ -1,0 +1,68 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#pragma once
+#include <array>
+#include <vector>
+
+#include "base/types.h"
+#include "smooth/workers.h"
+
+namespace hexfeature {
+
+/// Which energy of the corner tetrahedra is meant, and its numbers.
+///
+/// At each corner of a hexahedron A = (e1 e2 e3) / L, with the three edges from there and the element's target size L;
+/// d = det A. The shape energy is
+///   chi = (d + sqrt(eps^2 + d^2)) / 2,  f = |A|^2 / chi^(2/3),  g = (1 + d^2) / chi,  E = (1 - theta) f + theta g.
+/// It is finite on inverted elements as well, and a barrier against inversion as eps goes to 0.
+/// Source: Garanzha, Kaporin, Kudryavtseva, Protais, Ray, Sokolov, "Foldover-free maps in 50 lines of code",
+/// ACM Trans. Graph. 40(4), 2021, equations (3) to (6).
+///
+/// The worst-element energy, for power p > 0, is Sum (|e1| |e2| |e3| / det)^p + shape_weight E + a wall against edges shorter
+/// than the element's shortest allowed one m: 4 (m^2 / |e|^2 - 1)^2 where |e| < m. It is defined on valid elements alone.
+struct EnergyTerms {
+  double theta = 0.1;
+  double epsilon_squared = 1e-6;
+  int power = 0;  ///< 0: shape energy alone; else 1, 2, 4, 8 or 16
+  double shape_weight = 1;
+};
+
+struct EnergyValue {
+  double energy = 0;   ///< infinite when the energy is not defined there
+  double min_det = 0;  ///< least d of all corners
+};
+
+/// The energy of a set of hexahedra as a function of all point coordinates x (x0 y0 z0 x1 ...). Elements are evaluated four
+/// at a time, then each point gathers its gradient from its elements in a fixed order: bit-identical for any thread count.
+class HexEnergy {
+ public:
+  /// Least energy of one element: eight perfect corners.
+  static double ideal(const EnergyTerms& terms);
+
+  /// `target` is L, `shortest` is m of each hexahedron (lengths > 0).
+  HexEnergy(const std::vector<std::array<int, 8>>& hexes, int points, const std::vector<double>& target,
+            const std::vector<double>& shortest, Workers& workers);
+
+  /// `gradient` (3 per point, may be null) is overwritten.
+  EnergyValue evaluate(const double* x, const EnergyTerms& terms, double* gradient);
+  int hex_count() const { return hexes_; }
+
+ private:
+  static constexpr int kLanes = 4;
+  struct Part {
+    double energy, min_det;
+  };
+  template <bool kWorst>
+  Part evaluate_group(int group, const double* x, const EnergyTerms& terms, double* slots) const;
+
+  int hexes_, points_;
+  std::vector<int> nodes_;             ///< per group of four elements: 8 nodes x 4 lanes, as offsets into x
+  std::vector<double> inverse_size_;   ///< per group and lane
+  std::vector<double> shortest_;       ///< (m / L)^2
+  std::vector<double> weight_;         ///< 1, or 0 in the empty lanes of the last group
+  std::vector<int> start_, incident_;  ///< per point: where its gradient parts are in slots_
+  std::vector<double> slots_;          ///< per group: 8 nodes x 3 coordinates x 4 lanes
+  std::vector<Part> parts_;            ///< per group
+  Workers& workers_;
+};
+
+}  // namespace hexfeature

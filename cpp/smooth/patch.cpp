@@ -1,0 +1,142 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#include "smooth/patch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mesh/hex_element.h"
+
+namespace hexfeature {
+namespace {
+
+double quality_of(const std::vector<double>& x, const std::array<int, 8>& hex) {
+  std::array<Vec3, 8> corners;
+  for (int k = 0; k < 8; ++k) corners[k] = Eigen::Map<const Vec3>(x.data() + 3 * hex[k]);
+  const double q = scaled_jacobian(corners);
+  return std::isnan(q) ? -1 : q;
+}
+
+double shortest_edge(const std::vector<double>& x, const std::array<int, 8>& hex) {
+  double least = std::numeric_limits<double>::max();
+  for (const auto& e : kHexEdges)
+    least = std::min(least, (Eigen::Map<const Vec3>(x.data() + 3 * hex[e[0]]) - Eigen::Map<const Vec3>(x.data() + 3 * hex[e[1]])).norm());
+  return least;
+}
+
+}  // namespace
+
+Patch Patch::whole(const HexComplex& mesh, SmoothSetting& setting) {
+  return Patch(mesh, std::vector<char>(mesh.points.size(), 1), setting);
+}
+
+Patch::Patch(const HexComplex& mesh, const std::vector<char>& free_points, SmoothSetting& setting_) : setting(setting_) {
+  std::vector<int> own(mesh.points.size(), -1);
+  for (int h = 0; h < mesh.hex_count(); ++h)
+    if (std::any_of(mesh.hexes[h].begin(), mesh.hexes[h].end(), [&](int v) { return free_points[v] != 0; })) elements.push_back(h);
+  for (int h : elements)
+    for (int v : mesh.hexes[h]) own[v] = 0;
+  for (int v = 0; v < mesh.point_count(); ++v)
+    if (own[v] == 0) {
+      own[v] = static_cast<int>(nodes.size());
+      nodes.push_back(v);
+    }
+  std::vector<CadPlace> place;
+  for (int v : nodes) {
+    free.push_back(free_points[v]);
+    place.push_back(mesh.place[v]);
+    for (int a = 0; a < 3; ++a) x.push_back(mesh.points[v][a]);
+  }
+  std::vector<double> target, shortest;
+  stiffness.assign(nodes.size(), 0.0);
+  for (int h : elements) {
+    std::array<int, 8> hex;
+    for (int k = 0; k < 8; ++k) hex[k] = own[mesh.hexes[h][k]];
+    hexes.push_back(hex);
+    const double size = setting.target[h];
+    target.push_back(size);
+    shortest.push_back(std::max(std::min(0.15 * setting.options.size, 0.6 * shortest_edge(x, hex)), 1e-9 * size));
+    for (int v : hex) stiffness[v] += 12 / (size * size);
+  }
+  boundary = std::make_unique<Boundary>(place, free, setting.projector, setting.options.size, setting.workers);
+  energy = std::make_unique<HexEnergy>(hexes, static_cast<int>(nodes.size()), target, shortest, setting.workers);
+}
+
+void Patch::measure(const std::vector<double>& at, std::vector<double>& quality) const {
+  quality.resize(hexes.size());
+  setting.workers.run(static_cast<int>(hexes.size()), 256, [&](int begin, int end) {
+    for (int h = begin; h < end; ++h) quality[h] = quality_of(at, hexes[h]);
+  });
+}
+
+Grade Patch::grade(const std::vector<double>& at) const {
+  std::vector<double> quality;
+  measure(at, quality);
+  Grade g;
+  for (double q : quality) {
+    g.inverted += !(q > 0);
+    g.min_sj = std::min(g.min_sj, q);
+    g.sum_sj += q;
+  }
+  return g;
+}
+
+void Patch::write_back(HexComplex& mesh) const {
+  std::vector<CadPlace> place;
+  for (int v : nodes) place.push_back(mesh.place[v]);
+  boundary->store(place);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (!free[i]) continue;
+    mesh.points[nodes[i]] = Eigen::Map<const Vec3>(x.data() + 3 * i);
+    mesh.place[nodes[i]] = place[i];
+  }
+}
+
+std::vector<double> Patch::retract(const std::vector<double>& from, const std::vector<double>& moved) {
+  std::vector<double> before, after, result = moved;
+  measure(from, before);
+  std::vector<double> fraction(nodes.size(), 1.0);
+  std::vector<char> changed(nodes.size(), 1);
+  constexpr int kHalvings = 6;
+  for (int round = 0; round < 3 * kHalvings; ++round) {
+    setting.context.check();
+    boundary->find_feet(result, changed);
+    boundary->snap(result);
+    measure(result, after);
+    std::fill(changed.begin(), changed.end(), 0);
+    bool any = false;
+    for (std::size_t h = 0; h < hexes.size(); ++h) {
+      if (after[h] > 0 || !(before[h] > 0)) continue;
+      for (int v : hexes[h])
+        if (fraction[v] > 0) changed[v] = 1, any = true;
+    }
+    if (!any) return result;
+    for (std::size_t v = 0; v < nodes.size(); ++v) {
+      if (!changed[v]) continue;
+      fraction[v] = round < kHalvings ? 0.5 * fraction[v] : 0;
+      for (int a = 0; a < 3; ++a) result[3 * v + a] = from[3 * v + a] + fraction[v] * (moved[3 * v + a] - from[3 * v + a]);
+    }
+  }
+  boundary->find_feet(from);
+  return from;
+}
+
+double PatchObjective::evaluate(const std::vector<double>& x, std::vector<double>& gradient) {
+  patch_.setting.context.check();
+  const EnergyValue value = patch_.energy->evaluate(x.data(), terms_, gradient.data());
+  min_det = value.min_det;
+  if (!(value.energy < std::numeric_limits<double>::infinity())) return value.energy;
+  if (penalty_weight > 0) {
+    const double penalty = patch_.boundary->add_penalty(x, penalty_weight, gradient);
+    patch_.boundary->fix_corners(gradient);
+    return value.energy + penalty;
+  }
+  patch_.boundary->make_tangent(gradient);
+  return value.energy;
+}
+
+void PatchObjective::precondition(std::vector<double>& r) const { patch_.boundary->divide(r, patch_.stiffness, penalty_weight); }
+
+bool PatchObjective::enough(const std::vector<double>& x) const { return drift_limit > 0 && patch_.boundary->drifted(x, drift_limit); }
+
+}  // namespace hexfeature

@@ -1,0 +1,85 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#pragma once
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "base/context.h"
+#include "mesh/hex_complex.h"
+#include "mesh/projector.h"
+#include "smooth/boundary.h"
+#include "smooth/energy.h"
+#include "smooth/lbfgs.h"
+#include "smooth/smooth.h"
+#include "smooth/workers.h"
+
+namespace hexfeature {
+
+/// What all stages share.
+struct SmoothSetting {
+  const Projector& projector;
+  const SmoothOptions& options;
+  Context& context;
+  Workers& workers;
+  std::vector<double> target;  ///< target size of each element of the mesh
+};
+
+/// How good a set of elements is.
+struct Grade {
+  int inverted = 0;
+  double min_sj = 1, sum_sj = 0;
+};
+
+/// A part of the mesh (or all of it) that one stage works on: some elements, with the points that may move. The points of
+/// the rim, which belong to other elements too, do not.
+class Patch {
+ public:
+  /// `free` per point of the mesh; the elements are those that have a free point.
+  Patch(const HexComplex& mesh, const std::vector<char>& free, SmoothSetting& setting);
+  static Patch whole(const HexComplex& mesh, SmoothSetting& setting);
+
+  Grade grade() const { return grade(x); }
+  Grade grade(const std::vector<double>& at) const;
+  /// Scaled Jacobian of each element.
+  void measure(const std::vector<double>& at, std::vector<double>& quality) const;
+  /// Put points and parameters back into the mesh.
+  void write_back(HexComplex& mesh) const;
+  /// From a state on the CAD to `moved`, which has left it along tangents: every point on its CAD entity, as far along as no
+  /// element turns inverted that was not. Returns the new state; the boundary's feet are those of the result.
+  std::vector<double> retract(const std::vector<double>& from, const std::vector<double>& moved);
+
+  SmoothSetting& setting;
+  std::vector<int> nodes;                 ///< point of the mesh
+  std::vector<int> elements;              ///< element of the mesh
+  std::vector<std::array<int, 8>> hexes;  ///< in own numbers
+  std::vector<char> free;                 ///< per own point
+  std::vector<double> x;                  ///< 3 per own point
+  std::vector<double> stiffness;          ///< per own point: about the second derivative of the shape energy
+  std::unique_ptr<Boundary> boundary;
+  std::unique_ptr<HexEnergy> energy;
+};
+
+/// The energy of a patch with its boundary: penalised (soft rounds) or restricted to the tangent spaces.
+class PatchObjective : public Objective {
+ public:
+  PatchObjective(Patch& patch, const EnergyTerms& terms) : patch_(patch), terms_(terms) {}
+  double evaluate(const std::vector<double>& x, std::vector<double>& gradient) override;
+  void precondition(std::vector<double>& r) const override;
+  bool enough(const std::vector<double>& x) const override;
+  double penalty_weight = 0;  ///< > 0: penalised
+  double drift_limit = 0;     ///< end when a boundary point has moved so far; 0: no limit
+  double min_det = 0;         ///< at the last evaluation
+
+ private:
+  Patch& patch_;
+  EnergyTerms terms_;
+};
+
+/// (2) of experiments B5: penalised untangling rounds. Returns the number of rounds.
+int untangle_softly(Patch& patch);
+/// (3): exact sliding. The patch ends on the CAD.
+void slide(Patch& patch);
+/// (4): lift the worst elements. Requires a patch on the CAD and no inverted element.
+void lift_worst(HexComplex& mesh, SmoothSetting& setting);
+
+}  // namespace hexfeature

@@ -1,0 +1,101 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "smooth/patch.h"
+
+namespace hexfeature {
+namespace {
+
+/// epsilon^2 from the worst determinant (experiments B5), never rising.
+void lower_epsilon(EnergyTerms& terms, double min_det) {
+  const double d = std::min(min_det, 0.0);
+  terms.epsilon_squared = std::min(terms.epsilon_squared, 1e-6 + 0.04 * d * d);
+}
+
+double worst_determinant(Patch& patch, const EnergyTerms& terms) { return patch.energy->evaluate(patch.x.data(), terms, nullptr).min_det; }
+
+LbfgsOptions descent_options(const Patch& patch, const EnergyTerms& terms) {
+  LbfgsOptions o;
+  o.step_limit = 0.3 * patch.setting.options.size;
+  o.floor = patch.energy->hex_count() * HexEnergy::ideal(terms);
+  return o;
+}
+
+/// The best of the states seen: fewest inverted elements, then the worst element, then the mean.
+class Best {
+ public:
+  void offer(const Patch& patch, const std::vector<double>& x) {
+    const Grade g = patch.grade(x);
+    peak_ = g.inverted < grade_.inverted ? g.min_sj : std::max(peak_, g.inverted == grade_.inverted ? g.min_sj : peak_);
+    const double slack = peak_ > 0.1 ? 0.003 : 0;  // differences that nobody sees must not cost the mean
+    const bool better =
+        x_.empty() || g.inverted < grade_.inverted ||
+        (g.inverted == grade_.inverted && (g.min_sj > grade_.min_sj + slack || (g.min_sj >= peak_ - slack && g.sum_sj > grade_.sum_sj)));
+    if (!better) return;
+    x_ = x;
+    grade_ = g;
+  }
+  const std::vector<double>& x() const { return x_; }
+
+ private:
+  std::vector<double> x_;
+  Grade grade_{std::numeric_limits<int>::max(), -2, 0};
+  double peak_ = -2;
+};
+
+}  // namespace
+
+int untangle_softly(Patch& patch) {
+  const SmoothOptions& options = patch.setting.options;
+  const double h = options.size;
+  EnergyTerms terms;
+  terms.theta = options.theta;
+  terms.epsilon_squared = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < options.untangle_rounds; ++round) {
+    const double deviation = patch.boundary->find_feet(patch.x);
+    const Grade grade = patch.grade();
+    if (grade.min_sj > 0.05 && deviation < 0.02 * h) return round;
+    lower_epsilon(terms, worst_determinant(patch, terms));
+    PatchObjective objective(patch, terms);
+    objective.penalty_weight = 200 * std::pow(3.0, std::min(round, 6));
+    objective.drift_limit = 0.3 * h;
+    minimise(objective, patch.x, descent_options(patch, terms), patch.setting.workers);
+    patch.setting.context.progress("smooth", 0.5 * (round + 1) / options.untangle_rounds);
+  }
+  return options.untangle_rounds;
+}
+
+void slide(Patch& patch) {
+  const double h = patch.setting.options.size;
+  EnergyTerms terms;
+  terms.theta = patch.setting.options.theta;
+  terms.epsilon_squared = std::numeric_limits<double>::infinity();
+  patch.boundary->find_feet(patch.x);
+  patch.boundary->snap(patch.x);
+  Best best;
+  best.offer(patch, patch.x);
+  std::vector<double> gradient(patch.x.size());
+  for (int round = 0; round < 8; ++round) {
+    lower_epsilon(terms, worst_determinant(patch, terms));
+    const double before = patch.energy->evaluate(patch.x.data(), terms, gradient.data()).energy;
+    if (!std::isfinite(before)) break;
+    patch.boundary->hold_at_rims(gradient);
+    PatchObjective objective(patch, terms);
+    objective.drift_limit = 0.3 * h;
+    std::vector<double> moved = patch.x;
+    const LbfgsResult result = minimise(objective, moved, descent_options(patch, terms), patch.setting.workers);
+    patch.x = patch.retract(patch.x, moved);
+    best.offer(patch, patch.x);
+    patch.setting.context.progress("smooth", 0.5 + 0.03 * (round + 1));
+    const double floor = patch.energy->hex_count() * HexEnergy::ideal(terms);
+    const bool valid = worst_determinant(patch, terms) > 0;
+    if (valid && (result.converged || before - result.value < 0.01 * (before - floor))) break;
+  }
+  patch.x = best.x();
+  patch.boundary->find_feet(patch.x);
+  patch.boundary->snap(patch.x);
+}
+
+}  // namespace hexfeature

@@ -1,0 +1,189 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#include "smooth/smooth.h"
+
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <cstring>
+
+#include "hex_fixtures.h"
+#include "mesh/hex_element.h"
+#include "smooth/energy.h"
+
+using namespace hexfeature;
+using namespace fixtures;
+
+namespace {
+
+Context context;
+
+SmoothReport timed(const char* name, HexComplex& c, const Projector& projector, SmoothOptions options) {
+  const auto start = std::chrono::steady_clock::now();
+  const SmoothReport r = smooth(c, projector, options, context);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  MESSAGE(name << ": " << c.hex_count() << " hexes, " << r.inverted_before << " inverted, min " << r.min_sj_before << " -> " << r.inverted
+               << ", " << r.min_sj << " mean " << r.mean_sj << " rounds " << r.rounds << " deviation " << r.deviation << " "
+               << 1000 * seconds << " ms");
+  return r;
+}
+
+SmoothOptions sized(double h) {
+  SmoothOptions o;
+  o.size = h;
+  return o;
+}
+
+double volume_of(const HexComplex& c) {
+  double v = 0;
+  for (const auto& h : c.hexes) v += hex_volume(c.points, h);
+  return v;
+}
+
+bool same_bits(const HexComplex& a, const HexComplex& b) {
+  return a.points.size() == b.points.size() && std::memcmp(a.points.data(), b.points.data(), a.points.size() * sizeof(Vec3)) == 0;
+}
+
+}  // namespace
+
+TEST_CASE("the gradient is the energy's derivative") {
+  HexComplex c = box_mesh({3, 2, 2}, Vec3(3, 2, 2));
+  for (int power : {0, 1, 4}) {
+    for (double amount : {0.15, 0.9}) {
+      if (power > 0 && amount > 0.5) continue;
+      HexComplex shaken = c;
+      for (auto& p : shaken.place) p.dim = 3;
+      shake_inside(shaken, amount);
+      Workers workers(1);
+      const std::size_t n = shaken.hexes.size();
+      HexEnergy energy(shaken.hexes, shaken.point_count(), std::vector<double>(n, 0.8), std::vector<double>(n, 0.9), workers);
+      EnergyTerms terms;
+      terms.power = power;
+      terms.epsilon_squared = 0.01;
+      std::vector<double> x, g, ignored;
+      for (const Vec3& p : shaken.points) x.insert(x.end(), {p[0], p[1], p[2]});
+      g.resize(x.size());
+      const EnergyValue value = energy.evaluate(x.data(), terms, g.data());
+      REQUIRE(std::isfinite(value.energy));
+      if (amount > 0.5) CHECK(value.min_det < 0);
+      double largest = 0;
+      for (double k : g) largest = std::max(largest, std::abs(k));
+      for (std::size_t i = 0; i < x.size(); i += 2) {
+        const double keep = x[i], step = 1e-6;
+        x[i] = keep + step;
+        const double high = energy.evaluate(x.data(), terms, nullptr).energy;
+        x[i] = keep - step;
+        const double low = energy.evaluate(x.data(), terms, nullptr).energy;
+        x[i] = keep;
+        CHECK(std::abs((high - low) / (2 * step) - g[i]) < 1e-5 * largest);
+      }
+    }
+  }
+}
+
+TEST_CASE("a perfect box is left as it is") {
+  HexComplex c = box_mesh({6, 5, 4}, Vec3(6, 5, 4));
+  const HexComplex before = c;
+  const SmoothReport r = smooth(c, BoxProjector(Vec3(6, 5, 4)), sized(1), context);
+  CHECK(r.min_sj == 1.0);
+  CHECK(same_bits(c, before));
+}
+
+TEST_CASE("a box with a tangled inside becomes a box again") {
+  for (double amount : {0.4, 1.5}) {
+    HexComplex c = box_mesh({8, 8, 8}, Vec3(8, 8, 8));
+    shake_inside(c, amount);
+    const SmoothReport r = timed("shaken box", c, BoxProjector(Vec3(8, 8, 8)), sized(1));
+    CHECK(r.min_sj > 0.98);
+    CHECK(r.deviation < 1e-9);
+    CHECK(volume_of(c) == doctest::Approx(512));
+  }
+}
+
+TEST_CASE("a collapsed inside becomes a box again") {
+  HexComplex c = box_mesh({8, 8, 8}, Vec3(8, 8, 8));
+  for (int v = 0; v < c.point_count(); ++v)
+    if (c.place[v].dim == 3) c.points[v] = Vec3(4, 4, 4) + 0.01 * (c.points[v] - Vec3(4, 4, 4));
+  const SmoothReport r = timed("collapsed box", c, BoxProjector(Vec3(8, 8, 8)), sized(1));
+  CHECK(r.inverted == 0);
+  CHECK(r.min_sj > 0.5);
+}
+
+TEST_CASE("nodes on faces and edges slide back") {
+  HexComplex c = box_mesh({6, 6, 6}, Vec3(6, 6, 6));
+  const BoxProjector box(Vec3(6, 6, 6));
+  std::mt19937 random(5);
+  for (int v = 0; v < c.point_count(); ++v) {
+    Vec3 d;
+    for (int a = 0; a < 3; ++a) d[a] = 0.6 * (2.0 * random() / 4294967295.0 - 1);
+    if (c.place[v].dim == 1) c.points[v] = box.project_to_edge(c.place[v].entity, c.points[v] + d, nullptr).point;
+    if (c.place[v].dim == 2) c.points[v] = box.project_to_face(c.place[v].entity, c.points[v] + d, nullptr).point;
+    if (c.place[v].dim == 3) c.points[v] += d;
+  }
+  const SmoothReport r = timed("shaken surface", c, box, sized(1));
+  CHECK(r.min_sj > 0.95);
+  CHECK(r.deviation < 1e-9);
+}
+
+TEST_CASE("a cylinder from one block stays valid, its O-grid is good") {
+  const CylinderProjector cylinder(5, 8);
+  HexComplex lattice = lattice_cylinder(8, 8, 5, 8);
+  const SmoothReport a = timed("lattice cylinder", lattice, cylinder, sized(1));
+  CHECK(a.min_sj > 0.15);
+  CHECK(a.deviation < 1e-9 * 5);
+  HexComplex grid = o_grid_cylinder(4, 3, 8, 5, 8);
+  const SmoothReport b = timed("O-grid cylinder", grid, cylinder, sized(1.2));
+  CHECK(b.min_sj >= 0.8);
+  CHECK(b.deviation < 1e-9 * 5);
+  CHECK(volume_of(grid) == doctest::Approx(kPi * 25 * 8).epsilon(0.04));
+  shake_inside(grid, 1.0);
+  const SmoothReport d = timed("O-grid cylinder, tangled", grid, cylinder, sized(1.2));
+  CHECK(d.min_sj >= 0.8);
+  CHECK(grid.place[0].dim == 2);
+}
+
+TEST_CASE("a ball from one cube, without a sheet, is valid") {
+  HexComplex c = sphere_mesh(10, 5);
+  const SmoothReport r = timed("ball", c, SphereProjector(5), sized(1));
+  CHECK(r.min_sj > 0.15);
+  CHECK(r.deviation < 1e-9 * 5);
+  for (int v = 0; v < c.point_count(); ++v)
+    if (c.place[v].dim == 2) CHECK(c.points[v].norm() == doctest::Approx(5).epsilon(1e-12));
+}
+
+TEST_CASE("a cube's lattice with its surface thrown onto a sphere untangles") {
+  HexComplex c = lattice({10, 10, 10}, [](const Vec3& p) { return Vec3(p - Vec3(5, 5, 5)); });
+  for (const auto& q : c.quads)
+    for (int v : q) c.place[v] = {2, 1, Vec2::Zero()};
+  for (int v = 0; v < c.point_count(); ++v)
+    if (c.place[v].dim == 2) c.points[v] = 5 * c.points[v].normalized();
+  const SmoothReport r = timed("cube thrown onto a ball", c, SphereProjector(5), sized(1));
+  CHECK(r.inverted_before > 0);
+  CHECK(r.min_sj > 0.15);
+}
+
+TEST_CASE("one thread and two give the same bits") {
+  HexComplex one = sphere_mesh(8, 4);
+  shake_inside(one, 1.0);
+  HexComplex two = one;
+  SmoothOptions o = sized(1);
+  o.threads = 1;
+  smooth(one, SphereProjector(4), o, context);
+  o.threads = 2;
+  smooth(two, SphereProjector(4), o, context);
+  CHECK(same_bits(one, two));
+}
+
+TEST_CASE("coordinates that are no numbers end in a report, not a hang") {
+  HexComplex c = box_mesh({3, 3, 3}, Vec3(3, 3, 3));
+  c.points[21][0] = std::nan("");
+  const SmoothReport r = smooth(c, BoxProjector(Vec3(3, 3, 3)), sized(1), context);
+  CHECK(r.inverted > 0);
+}
+
+TEST_CASE("cancelling ends it") {
+  HexComplex c = sphere_mesh(10, 5);
+  Context stopping;
+  int asked = 0;
+  stopping.is_cancelled = [&] { return ++asked > 20; };
+  CHECK_THROWS_AS(smooth(c, SphereProjector(5), sized(1), stopping), MeshingError);
+}
