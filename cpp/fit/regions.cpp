@@ -50,7 +50,10 @@ void BoundaryFit::space(int index) {
   std::vector<Vec3>& at = chain_lattice[index];
   at.resize(chain.vertices.size());
   for (std::size_t i = 0; i < at.size(); ++i) at[i] = chain.lattice_at(chain.s[i], lattice);
-  for (int h : {chain.halfedges.front(), mesh.opposite[chain.halfedges.front()]}) regions[region_of_triangle[h / 3]].dirty = true;
+  for (int h : chain.halfedges) {
+    regions[region_of_triangle[h / 3]].dirty = true;
+    regions[region_of_triangle[mesh.opposite[h] / 3]].dirty = true;
+  }
   if (chain.arc >= 0) return;
   // Its ends lie on other chains, maybe between two of their nodes (a snapped corner): meet them there.
   for (std::size_t end : {std::size_t(0), at.size() - 1}) {

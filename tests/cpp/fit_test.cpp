@@ -107,3 +107,53 @@ TEST_CASE("bent and twisted parts fit without a fold") {
       CHECK(c.volume == doctest::Approx(enclosed_volume(part.surface.mesh)).epsilon(0.02));
     }
 }
+
+namespace {
+/// Length of mesh edges that follow CAD edges, over the length of the CAD edges.
+double followed(const VoxelPart& part, const HexComplex& mesh) {
+  double length = 0, cad_length = 0;
+  for (const auto& e : mesh.feature_edges) length += (mesh.points[e[0]] - mesh.points[e[1]]).norm();
+  for (const auto& e : part.edges) cad_length += e.length;
+  return length / cad_length;
+}
+}  // namespace
+
+TEST_CASE("a tangent CAD edge across charts gets a lattice line, and quads do not straddle it") {
+  for (const double cut : {1.25, 1.5, 1.75, 2.0}) {
+    VoxelPart part;
+    // A line x = cut over the top and down both sides: six charts, eight CAD faces.
+    make_part(part, box({0, 0, 0}, {4, 3, 2}), 4, 1, straight, [&](Label l, const Vec3& c) {
+      const bool split = l == 4 || axis_of(l) == 1;
+      return l + (split && c.x() > cut ? 10 : 0);
+    });
+    REQUIRE(part.faces.size() == 9);
+    const HexComplex mesh = fitted(part, 1);
+    const Checks c = check(part, mesh);
+    CHECK(c.folded_quads == 0);
+    CHECK(c.faces_missing == 0);
+    CHECK(followed(part, mesh) == doctest::Approx(1));
+    for (std::size_t q = 0; q < mesh.quads.size(); ++q)
+      for (int n : mesh.quads[q]) {
+        const Vec3 on = part.projector.project_to_face(mesh.quad_face[q], mesh.points[n], nullptr).point;
+        CHECK((on - mesh.points[n]).norm() < 1e-9);
+      }
+  }
+}
+
+TEST_CASE("a closed CAD edge inside a chart gets a loop of mesh edges") {
+  VoxelPart part;
+  make_part(part, box({0, 0, 0}, {6, 6, 2}), 4, 1, straight,
+            [](Label l, const Vec3& c) { return l + (l == 4 && (c - Vec3(2.8, 3.1, 2)).norm() < 1.3 ? 10 : 0); });
+  REQUIRE(part.faces.size() == 7);
+  const HexComplex mesh = fitted(part, 1);
+  const Checks c = check(part, mesh);
+  CHECK(c.folded_quads == 0);
+  CHECK(c.faces_missing == 0);
+  int loop = 0;
+  for (std::size_t e = 0; e < mesh.feature_edges.size(); ++e) {
+    const auto& faces = part.edges[mesh.feature_edge_cad[e] - 1].faces;
+    const auto& vertices = part.edges[mesh.feature_edge_cad[e] - 1].vertices;
+    loop += vertices[0] == 0 && faces[0] != faces[1];
+  }
+  CHECK(loop >= 8);
+}

@@ -1,0 +1,51 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#pragma once
+#include <vector>
+
+#include "fit/boundary_fit.h"
+
+namespace hexfeature {
+
+/// A CAD edge, or several joined at soft vertices, that runs inside one chart and has no lattice line yet.
+struct InnerCurve {
+  std::vector<int> vertices;   ///< of the surface mesh; closed: first == last
+  std::vector<int> halfedges;  ///< vertices[i] -> vertices[i + 1]
+  double length = 0;
+  bool sharp = false;
+
+  bool closed() const { return vertices.front() == vertices.back(); }
+};
+
+/// All of them, sharp ones first, then by falling length. An end is where the curve meets a chain, a branch or a hard CAD vertex.
+std::vector<InnerCurve> collect_inner_curves(const BoundaryFit& fit);
+
+/// The curve as its region's map shows it, with what routing asks of it.
+class FlatCurve {
+ public:
+  FlatCurve(const BoundaryFit& fit, const InnerCurve& curve);
+  const std::vector<Vec2>& points() const { return flat_; }
+  /// Squared distance of a point of the lattice plane, and the arc length (on the part) of the nearest point of the curve.
+  double distance2(const Vec2& q, double& s) const;
+  /// Signed turn of the curve on the part within one element size on either side of arc length s; left positive.
+  double turn_at(double s) const;
+  /// Unit direction on the part that the curve sets out in from its start, or comes in to its end (then pointing back).
+  Vec3 direction_from(bool start) const;
+
+ private:
+  Vec3 at(double s) const;
+  const BoundaryFit& fit_;
+  const InnerCurve& curve_;
+  std::vector<Vec2> flat_;
+  std::vector<double> s_;
+};
+
+/// Node path (>= 2 nodes) along which the lattice should follow an open curve; empty when every path is too dear.
+/// `start_node`, `end_node` of the Chain stops it would pin are found again by the caller from the path's ends.
+/// Cheapest path with state = directed edge (experiments B4): distance to the curve in lattice units; two consecutive edges of one
+/// quad only where the curve itself turns that way, since the quad's corner there would open to 180 degrees.
+std::vector<int> route_open_curve(const BoundaryFit& fit, int region, const InnerCurve& curve, const std::vector<int>& node_of_vertex);
+
+/// Node loop (first == last) round a closed curve: the rectangle of the lattice plane that encloses about its area.
+std::vector<int> route_closed_curve(const BoundaryFit& fit, int region, const InnerCurve& curve);
+
+}  // namespace hexfeature

@@ -1,0 +1,253 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <tuple>
+
+#include "fit/cad_edges.h"
+
+namespace hexfeature {
+
+namespace {
+
+constexpr double kReach = 1.7;                               ///< lattice units that an end may move
+constexpr double kSharpRms = 1.3, kSmoothRms = 0.8;          ///< root mean square distance of a path that is too dear
+constexpr double kSharpLargest = 2.2, kSmoothLargest = 1.3;  ///< largest distance of a path that is too dear
+constexpr double kLeastTurn = 30 * EIGEN_PI / 180;           ///< a path may only turn where the curve turns at least so much
+constexpr double kFlat = 150 * EIGEN_PI / 180;               ///< an angle between two followed edges that no quad corner should have
+
+struct PathEnd {
+  int node;
+  double cost;
+};
+
+/// Chain and vertex index of a chain through mesh vertex from(h); {-1, -1} when there is none.
+std::array<int, 2> chain_through(const BoundaryFit& fit, int h) {
+  int g = h;
+  do {
+    if (fit.border_of[g] >= 0) return {fit.border_of[g], fit.border_index[g]};
+    g = fit.mesh.opposite[SurfaceMesh::prev(g)];
+  } while (g != h);
+  return {-1, -1};
+}
+
+/// Nodes where the curve may begin; h is the curve's halfedge that leaves the vertex (its own or an opposite one).
+std::vector<PathEnd> possible_ends(const BoundaryFit& fit, int region, int h, const Vec2& q, const std::vector<int>& node_of_vertex) {
+  const int v = fit.mesh.from(h);
+  if (node_of_vertex[v] >= 0) return {{node_of_vertex[v], 0}};
+  std::vector<PathEnd> ends;
+  const auto [c, index] = chain_through(fit, h);
+  if (c >= 0) {
+    const Chain& chain = fit.chains[c];
+    if (index == 0) return {{chain.nodes.front(), 0}};
+    if (index + 1 == static_cast<int>(chain.vertices.size())) return {{chain.nodes.back(), 0}};
+    int lo = 1, hi = chain.intervals() - 1, before = 0, after = 0;
+    double x = -1;
+    for (const Stop& stop : chain.stops) {
+      if (stop.vertex < index) {
+        ++before;
+        if (stop.pinned) lo = stop.node + 1, before = 0;
+        if (!stop.pinned && stop.importance < 3) --before;
+      } else if (stop.vertex == index) {
+        if (stop.node >= 0) x = stop.node;
+      } else if (hi == chain.intervals() - 1) {
+        if (stop.pinned)
+          hi = stop.node - 1;
+        else if (stop.importance >= 3)
+          ++after;
+      }
+    }
+    lo += before;
+    hi -= after;
+    if (x < 0) {
+      const double s = chain.s[index];
+      const auto it = std::upper_bound(chain.node_s.begin() + 1, chain.node_s.end() - 1, s);
+      const long i = it - chain.node_s.begin() - 1;
+      x = static_cast<double>(i) + (s - chain.node_s[i]) / std::max(1e-300, chain.node_s[i + 1] - chain.node_s[i]);
+    }
+    for (int j = lo; j <= hi; ++j)
+      if (std::abs(j - x) <= kReach) ends.push_back({chain.nodes[j], 0.3 * (j - x) * (j - x)});
+    return ends;
+  }
+  std::vector<char> seen;
+  for (int quad : fit.regions[region].quads)
+    for (int n : fit.net.quads[quad]) {
+      if (fit.node_taken[n] > 0) continue;
+      const double d2 = (fit.flatten(fit.regions[region].chart, fit.lattice[n]) - q).squaredNorm();
+      if (d2 <= kReach * kReach) ends.push_back({n, d2});
+    }
+  std::sort(ends.begin(), ends.end(), [](const PathEnd& a, const PathEnd& b) { return a.node < b.node; });
+  ends.erase(std::unique(ends.begin(), ends.end(), [](const PathEnd& a, const PathEnd& b) { return a.node == b.node; }), ends.end());
+  return ends;
+}
+
+/// May a path leave (or come in) along quad halfedge g at node from(g)? Not when a quad beside it has another followed edge at that node
+/// that runs on as the curve comes from. `direction`: of the curve, away from the node; `mesh_vertex_h`: a mesh halfedge from its vertex.
+bool opens_flat(const BoundaryFit& fit, int g, const Vec3& direction, int vertex_h) {
+  const int node = fit.net.from(g);
+  const double reach = 0.5 * fit.options.size;
+  for (const int neighbour : {fit.net.prev(g), fit.net.opposite[g] < 0 ? -1 : fit.net.next(fit.net.opposite[g])}) {
+    if (neighbour < 0 || !fit.quad_cut[neighbour]) continue;
+    const int other = fit.net.from(neighbour) == node ? fit.net.to(neighbour) : fit.net.from(neighbour);
+    // The chain along node - other, seen from the mesh vertex.
+    int h = vertex_h;
+    do {
+      const int c = fit.border_of[h];
+      if (c >= 0) {
+        const Chain& chain = fit.chains[c];
+        const bool forward = chain.halfedges[std::min<std::size_t>(fit.border_index[h], chain.halfedges.size() - 1)] == h;
+        const auto at = std::find(chain.nodes.begin(), chain.nodes.end(), node);
+        const bool follows = at != chain.nodes.end() && (forward ? at + 1 != chain.nodes.end() && *(at + 1) == other
+                                                                 : at != chain.nodes.begin() && *(at - 1) == other);
+        if (follows && followed_edge(fit.mesh, fit.geometry, h)) {
+          const double s = std::clamp(chain.s[fit.border_index[h]] + (forward ? reach : -reach), 0.0, chain.length());
+          const int i = chain.segment_at(s);
+          const double f = (s - chain.s[i]) / std::max(1e-300, chain.s[i + 1] - chain.s[i]);
+          const Vec3 p = (1 - f) * fit.mesh.points[chain.vertices[i]] + f * fit.mesh.points[chain.vertices[i + 1]];
+          const Vec3 d = (p - fit.mesh.points[fit.mesh.from(h)]).normalized();
+          if (d.dot(direction) < std::cos(kFlat)) return true;
+        }
+      }
+      h = fit.mesh.opposite[SurfaceMesh::prev(h)];
+    } while (h != vertex_h);
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<int> route_open_curve(const BoundaryFit& fit, int region, const InnerCurve& curve, const std::vector<int>& node_of_vertex) {
+  const QuadNet& net = fit.net;
+  const FlatCurve flat(fit, curve);
+  const int first_h = curve.halfedges.front(), last_h = fit.mesh.opposite[curve.halfedges.back()];
+  const auto starts = possible_ends(fit, region, first_h, flat.points().front(), node_of_vertex);
+  const auto ends = possible_ends(fit, region, last_h, flat.points().back(), node_of_vertex);
+  if (starts.empty() || ends.empty()) return {};
+  std::vector<double> end_cost(fit.node_taken.size(), -1);
+  for (const PathEnd& e : ends) end_cost[e.node] = e.cost;
+
+  const int chart = fit.regions[region].chart;
+  const auto inside = [&](int g) {
+    return !fit.quad_cut[g] && fit.region_of_quad[g / 4] == region && net.opposite[g] >= 0 &&
+           fit.region_of_quad[net.opposite[g] / 4] == region;
+  };
+  const auto distance = [&](int node, double& s) { return flat.distance2(fit.flatten(chart, fit.lattice[node]), s); };
+  const double largest = curve.sharp ? kSharpLargest : kSmoothLargest;
+
+  // Dijkstra over directed edges; the cost of a node is its squared distance plus a little for each step.
+  constexpr double kStep = 0.02;
+  std::vector<double> cost(net.opposite.size(), 1e300);
+  std::vector<int> before(net.opposite.size(), -1);
+  using Item = std::pair<double, int>;
+  std::priority_queue<Item, std::vector<Item>, std::greater<Item>> queue;
+  const Vec3 start_direction = flat.direction_from(true), end_direction = flat.direction_from(false);
+  const auto relax = [&](int g, double c, int from) {
+    if (!inside(g)) return;
+    const int n = net.to(g);
+    double s;
+    const double d2 = distance(n, s);
+    const bool may_end = end_cost[n] >= 0 && !opens_flat(fit, net.opposite[g], end_direction, last_h);
+    if (!may_end && (fit.node_taken[n] > 0 || d2 > largest * largest)) return;
+    c += kStep + (may_end ? 0 : d2);
+    if (c < cost[g]) {
+      cost[g] = c;
+      before[g] = from;
+      queue.push({c, g});
+    }
+  };
+  for (const PathEnd& start : starts)
+    for (int i = net.out_begin[start.node]; i < net.out_begin[start.node + 1]; ++i)
+      if (!opens_flat(fit, net.out[i], start_direction, first_h)) relax(net.out[i], start.cost, -1);
+
+  int goal = -1;
+  double goal_cost = 1e300;
+  while (!queue.empty()) {
+    const auto [c, g] = queue.top();
+    queue.pop();
+    if (c > cost[g] || c >= goal_cost) continue;
+    const int n = net.to(g);
+    if (end_cost[n] >= 0 && !opens_flat(fit, net.opposite[g], end_direction, last_h) && c + end_cost[n] < goal_cost) {
+      goal = g;
+      goal_cost = c + end_cost[n];
+    }
+    if (fit.node_taken[n] > 0) continue;
+    if (net.out_begin[n + 1] - net.out_begin[n] != 4) continue;
+    const int left = net.next(g), straight = net.next(net.opposite[left]), right = net.opposite[net.prev(net.opposite[g])];
+    relax(straight, c, g);
+    double s = 0;
+    distance(n, s);
+    const double turn = flat.turn_at(s);
+    const double price = 0.5 * std::max(0.0, 1.5708 - std::abs(turn));
+    if (turn > kLeastTurn) relax(left, c + price, g);
+    if (turn < -kLeastTurn) relax(right, c + price, g);
+  }
+  if (goal < 0) return {};
+  std::vector<int> path{net.to(goal)};
+  for (int g = goal; g >= 0; g = before[g]) path.push_back(net.from(g));
+  std::reverse(path.begin(), path.end());
+  double sum = 0;
+  std::vector<int> sorted(path);
+  std::sort(sorted.begin(), sorted.end());
+  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return {};
+  for (int n : path) {
+    double s;
+    sum += distance(n, s);
+  }
+  const double rms = std::sqrt(sum / static_cast<double>(path.size()));
+  if (rms > (curve.sharp ? kSharpRms : kSmoothRms)) return {};
+  return path;
+}
+
+std::vector<int> route_closed_curve(const BoundaryFit& fit, int region, const InnerCurve& curve) {
+  const FlatCurve flat(fit, curve);
+  const auto& p = flat.points();
+  double area2 = 0;
+  Vec2 lo = p[0], hi = p[0];
+  for (std::size_t i = 0; i + 1 < p.size(); ++i) {
+    area2 += p[i].x() * p[i + 1].y() - p[i].y() * p[i + 1].x();
+    lo = lo.cwiseMin(p[i]);
+    hi = hi.cwiseMax(p[i]);
+  }
+  const Vec2 size = hi - lo, middle = 0.5 * (lo + hi);
+  if (!(size.minCoeff() > 0)) return {};
+  const double shrink = std::sqrt(std::clamp(0.5 * std::abs(area2) / (size.x() * size.y()), 0.25, 1.0));
+  Eigen::Vector2i a, b;
+  for (int k = 0; k < 2; ++k) {
+    const double half = std::max(0.5, std::round(shrink * size[k]) / 2);
+    a[k] = static_cast<int>(std::lround(middle[k] - half));
+    b[k] = a[k] + static_cast<int>(std::lround(2 * half));
+  }
+  // The region's free nodes by lattice position.
+  const int chart = fit.regions[region].chart;
+  const int nx = b[0] - a[0] + 1, ny = b[1] - a[1] + 1;
+  std::vector<int> grid(static_cast<std::size_t>(nx) * ny, -1);
+  for (int quad : fit.regions[region].quads)
+    for (int n : fit.net.quads[quad]) {
+      const Vec2 q = fit.flatten(chart, fit.lattice[n]);
+      const int i = static_cast<int>(std::lround(q[0])) - a[0], j = static_cast<int>(std::lround(q[1])) - a[1];
+      if (i >= 0 && j >= 0 && i < nx && j < ny && fit.node_taken[n] == 0) grid[static_cast<std::size_t>(j) * nx + i] = n;
+    }
+  std::vector<int> loop;
+  const auto add = [&](int i, int j) { loop.push_back(grid[static_cast<std::size_t>(j) * nx + i]); };
+  for (int i = 0; i < nx - 1; ++i) add(i, 0);
+  for (int j = 0; j < ny - 1; ++j) add(nx - 1, j);
+  for (int i = nx - 1; i > 0; --i) add(i, ny - 1);
+  for (int j = ny - 1; j > 0; --j) add(0, j);
+  if (std::find(loop.begin(), loop.end(), -1) != loop.end()) return {};
+  if (area2 < 0) std::reverse(loop.begin(), loop.end());
+  // Begin at the node nearest to the curve's first point.
+  std::size_t best = 0;
+  double least = 1e300;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const double d = (fit.flatten(chart, fit.lattice[loop[i]]) - p[0]).squaredNorm();
+    if (d < least) {
+      least = d;
+      best = i;
+    }
+  }
+  std::rotate(loop.begin(), loop.begin() + static_cast<long>(best), loop.end());
+  loop.push_back(loop.front());
+  return loop;
+}
+
+}  // namespace hexfeature
