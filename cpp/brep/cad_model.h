@@ -47,7 +47,7 @@ class CadModel : public Projector {
   struct Impl;  ///< OCCT lives here, seen by the brep and surface rooms' sources alone
   const Impl& impl() const { return *impl_; }
   Impl& impl() { return *impl_; }
-  CadModel();
+  explicit CadModel(std::unique_ptr<Impl> impl);
 
  private:
   std::unique_ptr<Impl> impl_;
@@ -63,7 +63,8 @@ std::unique_ptr<CadModel> read_cad(const std::string& path, Context& context);
 std::unique_ptr<CadModel> read_brep_string(const std::string& text, Context& context);
 
 /// Candidate working frames, best first: rotations that bring the part's own directions onto the axes
-/// (least sum of area * |R n|_1; experiments A2). At most `count`.
+/// (least sum of area * |R n|_1), for use with `place`; all from the file's frame, however the part is placed now. At most
+/// `count`, no two of which differ by a permutation of the axes alone. The identity is preferred when it ties.
 std::vector<Mat3> find_frames(const CadModel& model, int count = 2);
 
 }  // namespace hexfeature

@@ -24,9 +24,9 @@ SurfaceMesh triangulate(const CadModel& model, const SurfaceOptions& options, Co
 /// edges and vertices by the dihedral angle (> 30 degrees by default), with its analysis and projector.
 struct TrianglePart {
   Geometry geometry() const { return {&faces, &edges, &vertices, projector.get()}; }
-  SurfaceMesh mesh;                      ///< as read, welded; `place` and `halfedge_edge` from the pseudo CAD
-  std::vector<CadFace> faces;            ///< pseudo faces (planes recognised, else Other)
-  std::vector<CadEdge> edges;            ///< chains of sharp mesh edges between pseudo vertices
+  SurfaceMesh mesh;            ///< as read, welded; `place` and `halfedge_edge` from the pseudo CAD
+  std::vector<CadFace> faces;  ///< pseudo faces (planes recognised, else Other)
+  std::vector<CadEdge> edges;  ///< chains of sharp mesh edges between pseudo vertices
   std::vector<CadVertex> vertices;
   std::unique_ptr<Projector> projector;  ///< onto the triangles of one pseudo face, the polyline of one pseudo edge
 };

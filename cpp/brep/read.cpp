@@ -1,0 +1,251 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_MakeSolid.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepLib.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <IGESControl_Reader.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <STEPControl_Reader.hxx>
+#include <ShapeFix_Shape.hxx>
+#include <ShapeFix_Solid.hxx>
+#include <Standard_Version.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <sstream>
+
+#include "brep/model_impl.h"
+#include "brep/occt.h"
+
+namespace hexfeature {
+namespace {
+
+[[noreturn]] void bad_input(const std::string& reason, const std::string& hint) {
+  throw MeshingError(Failure::BadInput, "read", reason, hint);
+}
+
+std::string lower_extension(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return ending;
+}
+
+void check_file(const std::string& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) bad_input("there is no file '" + path + "'", "check the path");
+  if (std::filesystem::is_directory(status)) bad_input("'" + path + "' is a directory", "give the part's file");
+  if (std::filesystem::is_regular_file(status) && std::filesystem::file_size(path, error) == 0)
+    bad_input("'" + path + "' is empty", "export the part again");
+  if (!std::ifstream(path, std::ios::binary)) bad_input("'" + path + "' cannot be opened", "check its permissions");
+}
+
+/// The last characters of the file, where STEP and IGES say that they are complete.
+std::string tail(const std::string& path, std::streamoff count) {
+  std::ifstream in(path, std::ios::binary | std::ios::ate);
+  const std::streamoff size = in.tellg();
+  in.seekg(std::max<std::streamoff>(0, size - count));
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+std::mutex& exchange_mutex() {  // OCCT's STEP and IGES readers have global state
+  static std::mutex mutex;
+  return mutex;
+}
+
+void silence_occt() {
+  static std::once_flag once;
+  std::call_once(once, [] { Message::DefaultMessenger()->ChangePrinters().Clear(); });
+}
+
+template <class Reader>
+TopoDS_Shape transfer(Reader& reader, const std::string& path, const std::string& kind, Context& context) {
+  const std::lock_guard<std::mutex> lock(exchange_mutex());
+  Handle(CancelIndicator) indicator = new CancelIndicator(context);
+  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
+    bad_input("'" + path + "' is not a readable " + kind + " file", "export the part again");
+  context.check();
+  const int roots = reader.NbRootsForTransfer();
+  Message_ProgressScope scope(indicator->Start(), "transfer", std::max(1, roots));
+  for (int i = 1; i <= roots; ++i) {
+    reader.TransferOneRoot(i, scope.Next());
+    context.check();
+  }
+  return reader.OneShape();
+}
+
+TopoDS_Shape read_step(const std::string& path, Context& context) {
+  std::ifstream in(path, std::ios::binary);
+  std::string head(512, '\0');
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  if (head.find("ISO-10303-21") == std::string::npos)
+    bad_input("'" + path + "' is not a STEP file", "its first line must be ISO-10303-21;");
+  if (tail(path, 4096).find("END-ISO-10303-21") == std::string::npos)
+    bad_input("'" + path + "' is truncated", "export or download the part again");
+  STEPControl_Reader reader;
+  return transfer(reader, path, "STEP", context);
+}
+
+TopoDS_Shape read_iges(const std::string& path, Context& context) {
+  IGESControl_Reader reader;
+  return transfer(reader, path, "IGES", context);
+}
+
+std::vector<TopoDS_Shape> solids_of(const TopoDS_Shape& shape) {
+  TopTools_IndexedMapOfShape map;
+  TopExp::MapShapes(shape, TopAbs_SOLID, map);
+  std::vector<TopoDS_Shape> solids;
+  for (int i = 1; i <= map.Extent(); ++i) solids.push_back(map(i));
+  return solids;
+}
+
+/// A closed shell without a solid, or loose faces that can be sewn: make the solid. Null when they do not close.
+TopoDS_Shape make_solid(const TopoDS_Shape& shape, std::vector<std::string>& warnings) {
+  const auto closed_shells = [](const TopoDS_Shape& s) {
+    std::vector<TopoDS_Shell> shells;
+    for (TopExp_Explorer e(s, TopAbs_SHELL); e.More(); e.Next()) {
+      const TopoDS_Shell shell = TopoDS::Shell(e.Current());
+      if (BRep_Tool::IsClosed(shell)) shells.push_back(shell);
+    }
+    return shells;
+  };
+  std::vector<TopoDS_Shell> shells = closed_shells(shape);
+  if (shells.empty()) {
+    Bnd_Box box;
+    BRepBndLib::Add(shape, box);
+    const double size = box.IsVoid() ? 1 : std::sqrt(box.SquareExtent());
+    BRepBuilderAPI_Sewing sewing(1e-5 * size);
+    sewing.Add(shape);
+    sewing.Perform();
+    const TopoDS_Shape sewn = sewing.SewedShape();
+    if (!sewn.IsNull()) shells = closed_shells(sewn);
+    if (!shells.empty()) warnings.push_back("loose faces were sewn into a solid: face numbers are those of the sewn solid");
+  } else {
+    warnings.push_back("a closed shell was taken as a solid");
+  }
+  if (shells.empty()) return {};
+  TopoDS_Compound compound;
+  BRep_Builder builder;
+  builder.MakeCompound(compound);
+  for (const TopoDS_Shell& shell : shells) {
+    TopoDS_Solid solid = BRepBuilderAPI_MakeSolid(shell).Solid();
+    BRepLib::OrientClosedSolid(solid);
+    builder.Add(compound, solid);
+  }
+  return shells.size() == 1 ? solids_of(compound).front() : TopoDS_Shape(compound);
+}
+
+/// The part in the shape that was read: its solid, or the compound of its solids.
+TopoDS_Shape part_of(const TopoDS_Shape& shape, std::vector<std::string>& warnings) {
+  if (shape.IsNull()) bad_input("the file holds no shape", "export a solid");
+  TopTools_IndexedMapOfShape all_faces;
+  TopExp::MapShapes(shape, TopAbs_FACE, all_faces);
+  if (all_faces.IsEmpty()) bad_input("the file holds no face", "export a solid, not a sketch or wire");
+  std::vector<TopoDS_Shape> solids = solids_of(shape);
+  TopoDS_Shape part;
+  if (solids.empty()) {
+    part = make_solid(shape, warnings);
+    if (part.IsNull())
+      bad_input("the part is not closed: no solid in the file, and its faces do not form one", "close the open shell or export a solid");
+    return part;
+  }
+  part = solids.size() == 1 ? solids.front() : shape;
+  TopTools_IndexedMapOfShape used;
+  for (const TopoDS_Shape& s : solids) TopExp::MapShapes(s, TopAbs_FACE, used);
+  if (used.Extent() < all_faces.Extent())
+    warnings.push_back(std::to_string(all_faces.Extent() - used.Extent()) + " stray face(s) beside the solid are left out");
+  return part;
+}
+
+TopoDS_Shape heal(const TopoDS_Shape& part, Context& context) {
+  Handle(CancelIndicator) indicator = new CancelIndicator(context);
+  ShapeFix_Shape fix(part);
+  fix.Perform(indicator->Start());
+  context.check();
+  return fix.Shape();
+}
+
+std::unique_ptr<CadModel> make_model(const TopoDS_Shape& read, Context& context) {
+  return guarded("read", "the part cannot be read", [&] {
+    std::vector<std::string> warnings;
+    TopoDS_Shape part = part_of(read, warnings);
+    context.progress("read", 0.5);
+    if (!BRepCheck_Analyzer(part, Standard_True).IsValid()) {
+      const TopoDS_Shape healed = heal(part, context);
+      if (!healed.IsNull() && !solids_of(healed).empty()) {
+        part = solids_of(healed).size() == 1 ? solids_of(healed).front() : healed;
+        warnings.push_back("the solid had faults and was healed");
+      }
+    }
+    context.progress("read", 0.6);
+    CadTables tables(part);
+    if (!(tables.diagonal > 0) || !std::isfinite(tables.diagonal)) bad_input("the part has no extent", "check its geometry");
+    BaseMesh base = make_base_mesh(tables, context);
+    context.progress("read", 0.8);
+    auto model = std::make_unique<CadModel>(std::make_unique<CadModel::Impl>(std::move(tables), std::move(base)));
+    model->warnings = std::move(warnings);
+    model->impl().trims = make_trim_regions(model->impl().cad, model->impl().base);
+    analyse(*model, context);
+    context.progress("read", 1);
+    return model;
+  });
+}
+
+}  // namespace
+
+CadTables::CadTables(const TopoDS_Shape& part) : shape(part), solids(solids_of(part)) {
+  TopExp::MapShapes(shape, TopAbs_FACE, face_map);
+  TopExp::MapShapes(shape, TopAbs_EDGE, edge_map);
+  TopExp::MapShapes(shape, TopAbs_VERTEX, vertex_map);
+  for (int i = 1; i <= face_map.Extent(); ++i) faces.emplace_back(TopoDS::Face(face_map(i)));
+  for (int i = 1; i <= edge_map.Extent(); ++i) edges.emplace_back(TopoDS::Edge(edge_map(i)));
+  for (int i = 1; i <= vertex_map.Extent(); ++i) vertices.push_back(to_eigen(BRep_Tool::Pnt(TopoDS::Vertex(vertex_map(i)))));
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box, Standard_False);
+  if (!box.IsVoid()) diagonal = std::sqrt(box.SquareExtent());
+}
+
+std::unique_ptr<CadModel> read_cad(const std::string& path, Context& context) {
+  silence_occt();
+  context.progress("read", 0);
+  check_file(path);
+  const std::string ending = lower_extension(path);
+  return guarded("read", "'" + path + "' cannot be read", [&] {
+    if (ending == ".step" || ending == ".stp") return make_model(read_step(path, context), context);
+    if (ending == ".iges" || ending == ".igs") return make_model(read_iges(path, context), context);
+    if (ending == ".brep" || ending == ".brp") {
+      TopoDS_Shape shape;
+      BRep_Builder builder;
+      if (!BRepTools::Read(shape, path.c_str(), builder)) bad_input("'" + path + "' is not a readable BREP file", "export the part again");
+      return make_model(shape, context);
+    }
+    bad_input("'" + ending + "' is no CAD file that can be read", "use .step, .iges or .brep");
+  });
+}
+
+std::unique_ptr<CadModel> read_brep_string(const std::string& text, Context& context) {
+  silence_occt();
+  context.progress("read", 0);
+  return guarded("read", "the B-rep text cannot be read", [&] {
+    std::istringstream in(text);
+    TopoDS_Shape shape;
+    BRep_Builder builder;
+    BRepTools::Read(shape, in, builder);
+    if (shape.IsNull()) bad_input("the B-rep text holds no shape", "give the text of shape.exportBrepToString()");
+    return make_model(shape, context);
+  });
+}
+
+}  // namespace hexfeature
