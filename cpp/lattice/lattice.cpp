@@ -2,7 +2,6 @@
 #include "lattice/lattice.h"
 
 #include <algorithm>
-#include <set>
 
 #include "lattice/raster.h"
 #include "lattice/separate.h"
@@ -46,7 +45,7 @@ class Filler {
   Filler(const FeatureShape& shape, const Polycube& polycube, int solid, Context& context)
       : shape_(shape), polycube_(polycube), solid_number_(solid), context_(context) {}
 
-  Lattice run() {
+  Lattice run(const std::vector<Separation>& tried) {
     Lattice lattice;
     lattice.polycube = polycube_;
     if (shape_.corner_count() == 0) {
@@ -75,7 +74,7 @@ class Filler {
     auto& charts = lattice.report.charts;
     std::sort(charts.begin(), charts.end());
     charts.erase(std::unique(charts.begin(), charts.end()), charts.end());
-    lattice.report.separations = separations_for(shape_, polycube_, raster_, findings_.clashes);
+    lattice.report.separations = separations_for(shape_, polycube_, raster_, findings_.clashes, tried);
     return lattice;
   }
 
@@ -296,21 +295,34 @@ class Filler {
   void place_nodes(HexComplex& complex, const std::vector<int>& point) {
     complex.place.assign(complex.points.size(), CadPlace());
     complex.shape_place.assign(complex.points.size(), ShapePlace());
-    const auto set = [&](const std::array<int, 3>& at, int dim, int item, int chart) {
+    const auto charts_of = [&](int dim, int item) {
+      std::vector<int> charts;
+      if (dim == 1) charts = {shape_.cells.edges[item].left, shape_.cells.edges[item].right};
+      if (dim == 0)
+        for (int dart : shape_.cells.nodes[item].darts) charts.push_back(shape_.cells.left_of(dart));
+      return charts;
+    };
+    const auto set = [&](const std::array<int, 3>& at, int dim, int item) {
       const int p = point[grid_.node(at)];
-      if (p < 0 || complex.shape_place[p].dim != 3) {
-        findings_.add("two feature lines meet where they should not", chart, chart, at);
+      if (p < 0) {  // not even on the solid: the polygon checks have missed something
+        findings_.add("a feature line leaves the solid", charts_of(dim, item)[0], charts_of(dim, item)[1], at);
         return;
       }
-      complex.shape_place[p] = {dim, item};
+      ShapePlace& place = complex.shape_place[p];
+      if (place.dim == 3) {
+        place = {dim, item};
+        return;
+      }
+      for (int first : charts_of(dim, item))
+        for (int second : charts_of(place.dim, place.item)) findings_.add("two feature lines meet where they should not", first, second, at);
     };
-    for (int n = 0; n < shape_.corner_count(); ++n) set(polycube_.corners[n], 0, n, shape_.cells.left_of(shape_.cells.nodes[n].darts[0]));
+    for (int n = 0; n < shape_.corner_count(); ++n) set(polycube_.corners[n], 0, n);
     for (int i = 0; i < shape_.arc_count(); ++i) {
       const auto& edge = shape_.cells.edges[i];
       const int axis = shape_.arcs[i].axis;
       auto at = polycube_.corners[edge.start];
       const int end = polycube_.corners[edge.end][axis], step = end > at[axis] ? 1 : -1;
-      for (at[axis] += step; at[axis] != end; at[axis] += step) set(at, 1, i, edge.left);
+      for (at[axis] += step; at[axis] != end; at[axis] += step) set(at, 1, i);
     }
     for (std::size_t q = 0; q < complex.quads.size(); ++q)
       for (int p : complex.quads[q]) {
@@ -345,28 +357,24 @@ constexpr int kMostRounds = 25;
 Lattice fill_with_separation(const SurfaceMesh& mesh, const FeatureShape& shape, const std::vector<ChartOrder>& orders,
                              const QuantizeOptions& options, Context& context) {
   Lattice lattice;
-  std::vector<Separation> separations;
-  std::set<std::array<int, 3>> known;
+  std::vector<Separation> separations;  // sorted
   for (int round = 1; round <= kMostRounds; ++round) {
-    lattice = fill_lattice(shape, quantize(mesh, shape, orders, options, separations, context), 1, context);
+    lattice = fill_lattice(shape, quantize(mesh, shape, orders, options, separations, context), 1, context, separations);
     lattice.report.rounds = round;
     lattice.report.size = options.size;
-    if (lattice.report.ok) break;
-    bool more = false;
-    for (const auto& s : lattice.report.separations)
-      if (known.insert({s.low, s.high, s.gap}).second) {
-        separations.push_back(s);
-        more = true;
-      }
-    if (!more) break;
+    const auto& more = lattice.report.separations;
+    if (lattice.report.ok || more.empty()) break;
+    const auto middle = separations.insert(separations.end(), more.begin(), more.end());
+    std::inplace_merge(separations.begin(), middle, separations.end());
   }
   return lattice;
 }
 
 }  // namespace
 
-Lattice fill_lattice(const FeatureShape& shape, const Polycube& polycube, int solid, Context& context) {
-  return Filler(shape, polycube, solid, context).run();
+Lattice fill_lattice(const FeatureShape& shape, const Polycube& polycube, int solid, Context& context,
+                     const std::vector<Separation>& tried) {
+  return Filler(shape, polycube, solid, context).run(tried);
 }
 
 Lattice build_lattice(const SurfaceMesh& mesh, const FeatureShape& shape, const QuantizeOptions& options, Context& context) {
@@ -377,14 +385,18 @@ Lattice build_lattice(const SurfaceMesh& mesh, const FeatureShape& shape, const 
                       Context& context) {
   Lattice first;
   try {
-    const auto orders = chart_orders(mesh, shape, rays, options.size, context);
-    for (const double factor : {1.0, 0.7, 0.5}) {
-      QuantizeOptions finer = options;
-      finer.size = factor * options.size;
-      Lattice lattice = fill_with_separation(mesh, shape, orders, finer, context);
-      if (lattice.report.ok) return lattice;
-      if (factor == 1.0) first = std::move(lattice);
-    }
+    auto orders = chart_orders(mesh, shape, rays, options.size, context);
+    auto all_orders = orders;
+    const auto by_position = position_orders(shape, 0.02 * options.size);
+    all_orders.insert(all_orders.end(), by_position.begin(), by_position.end());
+    for (const double factor : {1.0, 0.7, 0.5})
+      for (const auto* kept : {&orders, &all_orders}) {
+        QuantizeOptions finer = options;
+        finer.size = factor * options.size;
+        Lattice lattice = fill_with_separation(mesh, shape, *kept, finer, context);
+        if (lattice.report.ok) return lattice;
+        if (first.report.reason.empty()) first = std::move(lattice);
+      }
   } catch (const PolycubeError& error) {
     first.report.reason = error.reason;
     first.report.charts = error.charts;

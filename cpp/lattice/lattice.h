@@ -30,11 +30,12 @@ struct Lattice {
 
 /// Rasterise each chart's rectilinear polygon, fill between opposite charts by parity, check V5 (Euler number) and V6
 /// (boundary is exactly the charts' cells, right sides, manifold). Hexahedra and points run x fastest, then y, then z; quads
-/// chart by chart. A block is a box between consecutive chart coordinates.
-Lattice fill_lattice(const FeatureShape& shape, const Polycube& polycube, int solid, Context& context);
+/// chart by chart. A block is a box between consecutive chart coordinates. Separations of `tried` (sorted) are not suggested again.
+Lattice fill_lattice(const FeatureShape& shape, const Polycube& polycube, int solid, Context& context,
+                     const std::vector<Separation>& tried = {});
 
-/// quantize + fill with lazy separation: solve, fill, separate what collides, again (<= 25 rounds); then with
-/// 0.7 h and 0.5 h. Never throws for a failed fill: the report says why.
+/// quantize + fill with lazy separation: solve, fill, separate what collides, again (<= 25 rounds); then with the charts'
+/// positions as orders; then both with 0.7 h and 0.5 h. Never throws for a failed fill: the report says why.
 Lattice build_lattice(const SurfaceMesh& mesh, const FeatureShape& shape, const QuantizeOptions& options, Context& context);
 /// The same with rays sampled before: for a caller that tries many labels on one mesh.
 Lattice build_lattice(const SurfaceMesh& mesh, const FeatureShape& shape, const AxisRays& rays, const QuantizeOptions& options,

@@ -166,4 +166,20 @@ std::vector<ChartOrder> chart_orders(const SurfaceMesh& mesh, const FeatureShape
   return orders;
 }
 
+std::vector<ChartOrder> position_orders(const FeatureShape& shape, double tolerance) {
+  std::vector<ChartOrder> orders;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<int> charts;
+    for (int c = 0; c < shape.chart_count(); ++c)
+      if (axis_of(shape.charts[c].label) == axis) charts.push_back(c);
+    const auto position = [&](int c) { return shape.charts[c].centroid[axis]; };
+    std::stable_sort(charts.begin(), charts.end(), [&](int a, int b) { return position(a) < position(b); });
+    for (std::size_t i = 0, j = 0; i < charts.size(); ++i) {
+      while (j < charts.size() && position(charts[j]) - position(charts[i]) < tolerance) ++j;
+      if (j < charts.size()) orders.push_back({charts[i], charts[j], position(charts[j]) - position(charts[i]), 1, false});
+    }
+  }
+  return orders;
+}
+
 }  // namespace hexfeature

@@ -38,4 +38,9 @@ struct ChartOrder {
 std::vector<ChartOrder> chart_orders(const SurfaceMesh& mesh, const FeatureShape& shape, const AxisRays& rays, double size,
                                      Context& context);
 
+/// A chain of orders by the charts' positions alone: every chart below the next one higher up on its axis (by centroid, at least
+/// `tolerance` apart). Too much to ask for in general - it gives each of them a layer of its own - but a polycube that keeps
+/// them all cannot collide where the part is nearly one itself: the last resort before a finer lattice.
+std::vector<ChartOrder> position_orders(const FeatureShape& shape, double tolerance);
+
 }  // namespace hexfeature

@@ -81,6 +81,15 @@ int wished_intervals(const SurfaceMesh& mesh, const std::vector<int>& vertices, 
   return std::max(kinks + 1, static_cast<int>(std::ceil(std::sqrt(sag / largest_sag) - 0.05)));
 }
 
+/// The unknowns of an arc's lower and upper end along its axis.
+std::pair<int, int> arc_ends(const FeatureShape& shape, const Classes& classes, int i) {
+  const auto& arc = shape.arcs[i];
+  const auto& edge = shape.cells.edges[i];
+  if (arc.axis < 0 || arc.sign == 0 || edge.start < 0) throw PolycubeError("a feature line has no direction", shape, {edge.left, edge.right});
+  const int start = classes.of_corner[edge.start][arc.axis], end = classes.of_corner[edge.end][arc.axis];
+  return arc.sign > 0 ? std::make_pair(start, end) : std::make_pair(end, start);
+}
+
 struct Terms {
   std::vector<DifferenceTerm> list;
   std::vector<int> arc;  // per term: the arc of a hard term, -1 otherwise (shorter than list: the rest is -1)
@@ -95,6 +104,33 @@ PolycubeError::PolycubeError(std::string reason_, const FeatureShape& shape, std
   for (int c : charts) cad_faces.insert(cad_faces.end(), shape.charts[c].cad_faces.begin(), shape.charts[c].cad_faces.end());
   std::sort(cad_faces.begin(), cad_faces.end());
   cad_faces.erase(std::unique(cad_faces.begin(), cad_faces.end()), cad_faces.end());
+}
+
+ForcedOrders::ForcedOrders(const FeatureShape& shape) {
+  const Classes classes = merge_charts(shape);
+  std::array<int, 3> base{0, classes.count[0], classes.count[0] + classes.count[1]};
+  count_ = base[2] + classes.count[2];
+  for (int c = 0; c < shape.chart_count(); ++c) of_chart_.push_back(base[axis_of(shape.charts[c].label)] + classes.of_chart[c]);
+  std::vector<std::vector<int>> above(count_);
+  for (int i = 0; i < shape.arc_count(); ++i) {
+    const auto [from, to] = arc_ends(shape, classes, i);
+    above[base[shape.arcs[i].axis] + from].push_back(base[shape.arcs[i].axis] + to);
+  }
+  reach_.assign(static_cast<std::size_t>(count_) * count_, false);
+  std::vector<int> stack;
+  for (int source = 0; source < count_; ++source) {
+    stack.push_back(source);
+    while (!stack.empty()) {
+      const int node = stack.back();
+      stack.pop_back();
+      for (int next : above[node]) {
+        auto seen = reach_[static_cast<std::size_t>(source) * count_ + next];
+        if (seen) continue;
+        seen = true;
+        stack.push_back(next);
+      }
+    }
+  }
 }
 
 int ray_count(const SurfaceMesh& mesh, const QuantizeOptions& options) {
@@ -119,10 +155,7 @@ Polycube quantize(const SurfaceMesh& mesh, const FeatureShape& shape, const std:
   for (int i = 0; i < shape.arc_count(); ++i) {
     const auto& arc = shape.arcs[i];
     const auto& edge = shape.cells.edges[i];
-    if (arc.axis < 0 || arc.sign == 0 || edge.start < 0)
-      throw PolycubeError("a feature line has no direction", shape, {edge.left, edge.right});
-    int from = classes.of_corner[edge.start][arc.axis], to = classes.of_corner[edge.end][arc.axis];
-    if (arc.sign < 0) std::swap(from, to);
+    const auto [from, to] = arc_ends(shape, classes, i);
     auto& list = terms[arc.axis].list;
     terms[arc.axis].arc.resize(list.size(), -1);
     terms[arc.axis].arc.push_back(i);

@@ -1,6 +1,7 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #pragma once
 #include <array>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,8 @@ struct Polycube {
 struct Separation {
   int low = -1, high = -1;
   int gap = 1;
+  bool operator<(const Separation& o) const { return std::tie(low, high, gap) < std::tie(o.low, o.high, o.gap); }
+  bool operator==(const Separation& o) const { return std::tie(low, high, gap) == std::tie(o.low, o.high, o.gap); }
 };
 
 /// The hard constraints contradict each other, or the feature shape is not one that has coordinates.
@@ -47,6 +50,23 @@ Polycube quantize(const SurfaceMesh& mesh, const FeatureShape& shape, const std:
 /// The same, sampling its own orders.
 Polycube quantize(const SurfaceMesh& mesh, const FeatureShape& shape, const QuantizeOptions& options,
                   const std::vector<Separation>& separations, Context& context);
+
+/// Which orders of charts on one axis the arcs force: the transitive closure of V4's differences.
+class ForcedOrders {
+ public:
+  /// Throws PolycubeError like quantize when a corner or an arc has no direction.
+  explicit ForcedOrders(const FeatureShape& shape);
+  /// Two charts of one axis: must coordinate[low] < coordinate[high] in every polycube?
+  bool below(int low, int high) const { return reach(of_chart_[low], of_chart_[high]); }
+  /// Could coordinate[low] < coordinate[high] be asked for without contradicting the arcs?
+  bool allows(int low, int high) const { return of_chart_[low] != of_chart_[high] && !below(high, low); }
+
+ private:
+  bool reach(int from, int to) const { return reach_[static_cast<std::size_t>(from) * count_ + to]; }
+  std::vector<int> of_chart_;
+  std::vector<bool> reach_;
+  int count_ = 0;
+};
 
 /// Number of rays that suit a mesh: grows with it, at most options.rays.
 int ray_count(const SurfaceMesh& mesh, const QuantizeOptions& options);

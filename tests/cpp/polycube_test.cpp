@@ -1,0 +1,171 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "fixtures.h"
+#include "polycube/difference_lp.h"
+#include "polycube/polycube.h"
+
+using namespace hexfeature;
+using namespace fixtures;
+
+namespace {
+
+Polycube solve(const LabelledSurface& surface, double size, int minimum = 1) {
+  QuantizeOptions options;
+  options.size = size;
+  options.minimum_intervals = minimum;
+  Context context;
+  return quantize(surface.mesh, make_feature_shape(surface), options, {}, context);
+}
+
+}  // namespace
+
+TEST_CASE("difference LPs: as good as a search over all integers, and never against a hard term") {
+  std::mt19937 random(3);
+  const auto below = [&](int n) { return static_cast<int>(random() % n); };
+  for (int trial = 0; trial < 200; ++trial) {
+    const int n = 4, range = 7;
+    std::vector<DifferenceTerm> terms;
+    for (int i = 0; i < 9; ++i) terms.push_back({below(n), below(n), below(7) - 3, 1 + below(20)});
+    terms.push_back({0, 1, 1, kHardTerm});
+    terms.push_back({1, 2, below(3), kHardTerm});
+    const auto holds = [&](const std::vector<int>& x) {
+      return std::all_of(terms.begin(), terms.end(), [&](const DifferenceTerm& t) { return t.weight != kHardTerm || x[t.to] - x[t.from] >= t.gap; });
+    };
+    const auto solution = solve_differences(n, terms);
+    REQUIRE(solution.cycle.empty());
+    CHECK(holds(solution.x));
+    std::int64_t best = -1;
+    for (int code = 0; code < range * range * range; ++code) {
+      // x[0] = 0: only differences matter.
+      const std::vector<int> x{0, code % range - 0, code / range % range - 0, code / range / range - 3};
+      for (int shift = -6; shift <= 6; shift += 3) {
+        auto y = x;
+        y[3] += shift;
+        if (holds(y) && (best < 0 || difference_cost(terms, y) < best)) best = difference_cost(terms, y);
+      }
+    }
+    CHECK(difference_cost(terms, solution.x) <= best);
+  }
+}
+
+TEST_CASE("a positive cycle of hard terms is found and named") {
+  const std::vector<DifferenceTerm> terms{{3, 0, 1, kHardTerm}, {0, 1, 1, kHardTerm}, {1, 2, 1, kHardTerm}, {2, 0, -1, kHardTerm}, {1, 3, 5, 7}};
+  const auto solution = solve_differences(4, terms);
+  REQUIRE(solution.cycle.size() == 3);
+  auto cycle = solution.cycle;
+  std::sort(cycle.begin(), cycle.end());
+  CHECK(cycle == std::vector<int>{1, 2, 3});
+  CHECK(solve_differences(1, {{0, 0, 1, kHardTerm}}).cycle.size() == 1);
+}
+
+TEST_CASE("convex terms add up to the cost at integers") {
+  for (const double target : {0.3, 1.0, 2.5, 7.75})
+    for (const int minimum : {-1000, 1, 3}) {
+      std::vector<DifferenceTerm> terms;
+      add_convex_terms(terms, 0, 1, target, 1, 0.5, minimum);
+      const auto cost = [&](int d) { return std::abs(d - target) + 0.5 * (d - target) * (d - target) / std::max(1.0, target); };
+      for (int d = std::max(minimum, static_cast<int>(target) - 3); d < target + 4; ++d) {
+        const auto step = difference_cost(terms, {0, d + 1}) - difference_cost(terms, {0, d});
+        CHECK(step == doctest::Approx(kTermScale * (cost(d + 1) - cost(d))).epsilon(0.01));
+      }
+    }
+}
+
+TEST_CASE("a chart's coordinate is a voxel coordinate when h is a voxel") {
+  for (const auto& v : {unit_box(), ell(), plate_with_hole(), plate_with_boss(), blind_pocket(), hollow_box(), staircase()}) {
+    const auto surface = voxel_surface(v);
+    const auto shape = make_feature_shape(surface);
+    const auto polycube = solve(surface, 1);
+    for (int c = 0; c < shape.chart_count(); ++c) CHECK(polycube.coordinate[c] == doctest::Approx(shape.charts[c].centroid[axis_of(shape.charts[c].label)]));
+    for (int n = 0; n < shape.corner_count(); ++n)
+      for (int k = 0; k < 3; ++k) CHECK(polycube.corners[n][k] == doctest::Approx(surface.mesh.points[shape.cells.nodes[n].vertex][k]));
+  }
+}
+
+TEST_CASE("every arc gets the least number of intervals, whatever h") {
+  for (const double size : {0.3, 1.7, 50.0})
+    for (const int minimum : {1, 2}) {
+      const auto surface = voxel_surface(plate_with_boss());
+      const auto shape = make_feature_shape(surface);
+      const auto polycube = solve(surface, size, minimum);
+      for (int i = 0; i < shape.arc_count(); ++i) {
+        const auto& e = shape.cells.edges[i];
+        const int a = shape.arcs[i].axis;
+        CHECK(shape.arcs[i].sign * (polycube.corners[e.end][a] - polycube.corners[e.start][a]) >= minimum);
+      }
+    }
+}
+
+TEST_CASE("mirrored features get equal counts where rounding is tied") {
+  // Two bosses 1.5 h wide, mirrored: the tie must break the same way.
+  auto surface = voxel_surface(unite(box({0, 0, 0}, {9, 3, 1}), unite(box({1, 1, 1}, {2, 2, 2}), box({7, 1, 1}, {8, 2, 2}))));
+  const auto shape = make_feature_shape(surface);
+  for (const double size : {2.0 / 3, 0.4, 0.8}) {
+    const auto polycube = solve(surface, size);
+    std::vector<int> tops;
+    for (int c = 0; c < shape.chart_count(); ++c)
+      if (shape.charts[c].centroid.z() == 2) {
+        int lo = 1000, hi = 0;
+        for (int dart : shape.cells.parts[c].loops[0]) {
+          lo = std::min(lo, polycube.corners[shape.cells.start_of(dart)][0]);
+          hi = std::max(hi, polycube.corners[shape.cells.start_of(dart)][0]);
+        }
+        tops.push_back(hi - lo);
+      }
+    REQUIRE(tops.size() == 2);
+    CHECK(tops[0] == tops[1]);
+  }
+}
+
+TEST_CASE("the same input gives the same polycube") {
+  auto surface = voxel_surface(staircase(), 3);
+  deform(surface.mesh, [](const Vec3& p) { return Vec3(1.37 * p.x() + 0.1 * p.z(), 0.77 * p.y(), 1.21 * p.z()); });
+  CHECK(solve(surface, 0.31).coordinate == solve(surface, 0.31).coordinate);
+}
+
+TEST_CASE("arcs that run in a circle are an error that names CAD faces") {
+  const auto surface = voxel_surface(ell());
+  auto shape = make_feature_shape(surface);
+  for (auto& arc : shape.arcs)
+    if (arc.axis == 0) {
+      arc.sign = -arc.sign;
+      break;
+    }
+  Context context;
+  try {
+    quantize(surface.mesh, shape, QuantizeOptions(), {}, context);
+    FAIL("no error");
+  } catch (const PolycubeError& error) {
+    CHECK(error.kind == Failure::NoMesh);
+    CHECK(error.step == "polycube");
+    CHECK(!error.charts.empty());
+    CHECK(!error.cad_faces.empty());
+  }
+}
+
+TEST_CASE("orders: opposite walls through solid and gaps, inner loops inside outer ones") {
+  const auto surface = voxel_surface(plate_with_hole());
+  const auto shape = make_feature_shape(surface);
+  Context context;
+  const auto orders = chart_orders(surface.mesh, shape, sample_axis_rays(surface.mesh, 500, context), 1, context);
+  const auto chart = [&](Label l, double at) {
+    for (int c = 0; c < shape.chart_count(); ++c)
+      if (shape.charts[c].label == l && shape.charts[c].centroid[axis_of(l)] == doctest::Approx(at)) return c;
+    return -1;
+  };
+  const auto gap = [&](int low, int high) {
+    for (const auto& o : orders)
+      if (o.low == low && o.high == high) return o.gap;
+    return -1.0;
+  };
+  CHECK(gap(chart(1, 0), chart(0, 5)) == doctest::Approx(5));  // outer walls
+  CHECK(gap(chart(1, 0), chart(0, 2)) == doctest::Approx(2));  // outer wall to the hole, through solid
+  CHECK(gap(chart(0, 2), chart(1, 3)) == doctest::Approx(1));  // across the hole
+  CHECK(gap(chart(5, 0), chart(4, 1)) == doctest::Approx(1));
+  for (const auto& o : orders) CHECK(o.gap > 0);
+}
