@@ -8,7 +8,10 @@
 namespace hexfeature {
 namespace {
 
-std::vector<int> name_of(const SheetGroup& group) { return group.floor_chart >= 0 ? std::vector<int>{group.floor_chart} : group.charts; }
+// What tells one group from another from sheet to sheet. A floor: its chart and the least node at its foot (nodes keep their numbers).
+std::vector<int> name_of(const SheetGroup& group) {
+  return group.floor_chart >= 0 ? std::vector<int>{-1 - group.floor_chart, group.floor_edges.front()[0]} : group.charts;
+}
 
 }  // namespace
 
@@ -22,7 +25,7 @@ std::string insert_sheet(HexComplex& complex, const FeatureShape& shape, const G
     covered->clear();
     for (int c = 0; c < static_cast<int>(set.covered.size()); ++c)
       if (set.covered[c]) covered->push_back(c);
-    if (covered->empty()) *covered = name_of(group);
+    if (covered->empty()) *covered = {group.floor_chart};
   }
   return refusal;
 }

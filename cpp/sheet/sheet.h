@@ -15,6 +15,7 @@ struct SheetOptions {
   double size = 1;
   double smooth_angle = 135;  ///< degrees in the solid between fitted quads above which a sheet is needed
   double smooth_share = 0.3;  ///< a border between two charts is smooth when more than this share of its edges is
+  double floor_angle = 140;   ///< degrees: a pocket floor's quad with a larger corner at the foot of the wall needs a sheet
   double thickness = 0.3;     ///< of the neighbouring edge, at insertion
   int max_sheets = 64;        ///< insert at most so many: with 0, 1, 2, ... a caller sees what each sheet buys
 };

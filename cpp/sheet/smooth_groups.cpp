@@ -77,6 +77,50 @@ bool is_smooth(const HexComplex& complex, const Geometry& geometry, const HexTop
   return cad == 0 || !geometry.edges || std::abs(geometry.edge(cad).dihedral) * 180 / EIGEN_PI < 180 - degrees;
 }
 
+// Border edges of a chart that are the foot of a wall, joined where they share a node, when the chart has on them a quad whose corner
+// between two such edges is nearly straight: a round pocket's floor. Its wall needs no sheet (three hexahedra share 180 degrees
+// there), the floor's own quads do.
+void find_floors(const HexComplex& complex, const HexTopology& topology, double degrees, std::vector<SheetGroup>& groups) {
+  const auto is_foot = [&](int q, const HexTopology::Edge& e) {
+    return e.count >= 3 && complex.quad_chart[e.quads[0]] != complex.quad_chart[e.quads[1]] && complex.quad_chart[q] >= 0 &&
+           feature_of(complex, e.nodes[0], e.nodes[1]) > 0;
+  };
+  std::vector<std::array<int, 2>> seeds;  // (chart, node)
+  for (int q = 0; q < static_cast<int>(complex.quads.size()); ++q)
+    for (int i = 0; i < 4; ++i) {
+      const auto& n = complex.quads[q];
+      if (is_foot(q, *topology.find_edge(n[i], n[(i + 1) % 4])) && is_foot(q, *topology.find_edge(n[(i + 3) % 4], n[i])) &&
+          corner_angle(complex, q, i) > degrees)
+        seeds.push_back({complex.quad_chart[q], n[i]});
+    }
+  std::sort(seeds.begin(), seeds.end());
+  std::vector<char> reached(complex.points.size(), 0);
+  for (std::size_t s = 0; s < seeds.size(); ++s) {
+    const auto [chart, node] = seeds[s];
+    if (s == 0 || chart != seeds[s - 1][0]) std::fill(reached.begin(), reached.end(), 0);
+    if (reached[node]) continue;
+    SheetGroup floor;
+    floor.floor_chart = chart;
+    std::vector<const HexTopology::Edge*> feet;
+    for (const auto& e : topology.edges)
+      for (int q : e.quads)
+        if (complex.quad_chart[q] == chart && is_foot(q, e)) feet.push_back(&e);
+    reached[node] = 1;
+    for (bool grown = true; grown;) {
+      grown = false;
+      for (const auto*& e : feet)
+        if (e && (reached[e->nodes[0]] || reached[e->nodes[1]])) {
+          reached[e->nodes[0]] = reached[e->nodes[1]] = 1;
+          floor.floor_edges.push_back(e->nodes);
+          e = nullptr;
+          grown = true;
+        }
+    }
+    std::sort(floor.floor_edges.begin(), floor.floor_edges.end());
+    groups.push_back(std::move(floor));
+  }
+}
+
 }  // namespace
 
 std::vector<SheetGroup> find_sheet_groups(const HexComplex& complex, const Geometry& geometry, const SheetOptions& options) {
@@ -104,6 +148,7 @@ std::vector<SheetGroup> find_sheet_groups(const HexComplex& complex, const Geome
   }
   std::stable_sort(groups.begin(), groups.end(),
                    [](const SheetGroup& a, const SheetGroup& b) { return a.smooth_edges.size() > b.smooth_edges.size(); });
+  find_floors(complex, topology, options.floor_angle, groups);
   return groups;
 }
 

@@ -351,4 +351,23 @@ inline HexPart pocket_part(int n = 2) {
                        });
 }
 
+/// A solid tee: a cylinder of radius 2 along x, a branch of radius 1 along z.
+inline HexPart tee_part(int n = 2) {
+  const auto voxels = unite(box({-4, -2, -2}, {4, 2, 2}), box({-1, -1, 2}, {1, 1, 4}));
+  const auto map = [](const Vec3& p) -> Vec3 {
+    const double r = std::max(std::abs(p[0]), std::abs(p[1])), t = std::clamp(std::max(r - 1, 1 - 0.5 * (p[2] + 2)), 0.0, 1.0);
+    Vec3 q = (1 - t) * squares_to_circles(p) + t * p;
+    q[2] = std::min(p[2], 2.0);
+    const Vec3 c = squares_to_circles({q[1], q[2], 0});
+    return {q[0], p[2] > 2 ? q[1] : c[0], c[1] + std::max(0.0, p[2] - 2)};
+  };
+  return make_hex_part(voxels, n, map,
+                       {cylinder(Vec3::Zero(), Vec3::UnitX(), 2), plane({4, 0, 0}, Vec3::UnitX()), plane({-4, 0, 0}, -Vec3::UnitX()),
+                        cylinder(Vec3::Zero(), Vec3::UnitZ(), 1), plane({0, 0, 4}, Vec3::UnitZ())},
+                       [](hexfeature::Label l, const Vec3& p) {
+                         if (p[2] > 2.1) return l == 4 ? 5 : 4;
+                         return l == 0 ? 2 : l == 1 ? 3 : 1;
+                       });
+}
+
 }  // namespace fixtures

@@ -140,6 +140,28 @@ TEST_CASE("flange and shaft: one sheet for each cylinder, each through its own f
   CHECK(flat_edges(shaft) == 0);
 }
 
+TEST_CASE("tee: a sheet along the main pipe, under the branch; another along the branch") {
+  auto part = tee_part();
+  CHECK(check_complex(part.complex) == "");
+  const SheetReport report = run(part);
+  CHECK(report.inserted == 2);
+  CHECK(report.refused == 0);
+  CHECK(check_complex(part.complex) == "");
+  CHECK(flat_edges(part) == 0);
+}
+
+TEST_CASE("blind round pocket: its floor gets a sheet, down and out at the bottom") {
+  auto part = pocket_part();
+  const SheetReport report = run(part);
+  CHECK(report.inserted == 1);
+  CHECK(report.refused == 0);
+  CHECK(check_complex(part.complex) == "");
+  CHECK(find_sheet_groups(part.complex, part.geometry(), {}).empty());
+  int floor = 0;
+  for (int f : part.complex.quad_face) floor += f == 8;
+  CHECK(floor == 4 * 4 + 16);
+}
+
 TEST_CASE("at most so many sheets; a refused sheet leaves the complex alone; the same again gives the same") {
   auto part = flange_part();
   SheetOptions options;
