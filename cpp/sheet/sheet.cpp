@@ -13,6 +13,43 @@ std::vector<int> name_of(const SheetGroup& group) {
   return group.floor_chart >= 0 ? std::vector<int>{-1 - group.floor_chart, group.floor_edges.front()[0]} : group.charts;
 }
 
+bool same_sheet(const SheetGroup& a, const SheetGroup& b) { return name_of(a) == name_of(b); }
+
+SheetGroup united(const SheetGroup& a, const SheetGroup& b) {
+  SheetGroup u = a;
+  u.charts.insert(u.charts.end(), b.charts.begin(), b.charts.end());
+  std::sort(u.charts.begin(), u.charts.end());
+  u.smooth_edges.insert(u.smooth_edges.end(), b.smooth_edges.begin(), b.smooth_edges.end());
+  return u;
+}
+
+bool shrinks_at_all(const HexTopology& topology, const ShrinkSet& set, const SheetGroup& group) {
+  return std::all_of(group.smooth_edges.begin(), group.smooth_edges.end(), [&](const std::array<int, 2>& nodes) {
+    const auto* e = topology.find_edge(nodes[0], nodes[1]);
+    return e && set.inside[topology.edge_hexes[e->first]];
+  });
+}
+
+// A sheet that runs through the solid and comes out where another group is to have one of its own would leave through that
+// group's smooth wall. If all that the other needs shrinks anyway, and the same shrinks for both, one sheet serves both (the two ends
+// of a shaft with a shoulder; not a boss and the disc it stands on).
+SheetGroup join_groups(const HexComplex& complex, const SheetGroup& first, const std::vector<SheetGroup>& groups,
+                       const SheetOptions& options, Context& context) {
+  const HexTopology topology = make_topology(complex);
+  SheetGroup joined = first;
+  ShrinkSet set = choose_shrink_set(complex, topology, joined, options, context);
+  for (const SheetGroup& other : groups) {
+    if (!set.refusal.empty()) break;
+    if (other.floor_chart >= 0 || same_sheet(other, first) || !shrinks_at_all(topology, set, other)) continue;
+    const SheetGroup both = united(joined, other);
+    ShrinkSet larger = choose_shrink_set(complex, topology, both, options, context);
+    if (!larger.refusal.empty() || larger.inside != set.inside) continue;
+    joined = both;
+    set = std::move(larger);
+  }
+  return joined;
+}
+
 }  // namespace
 
 std::string insert_sheet(HexComplex& complex, const FeatureShape& shape, const Geometry& geometry, const SheetGroup& group,
@@ -42,7 +79,8 @@ SheetReport insert_sheets(HexComplex& complex, const FeatureShape& shape, const 
     if (next == groups.end()) break;
     done.push_back(name_of(*next));
     std::vector<int> covered;
-    const std::string refusal = insert_sheet(complex, shape, geometry, *next, options, context, &covered);
+    const SheetGroup group = next->floor_chart >= 0 ? *next : join_groups(complex, *next, groups, options, context);
+    const std::string refusal = insert_sheet(complex, shape, geometry, group, options, context, &covered);
     if (refusal.empty()) {
       ++report.inserted;
       report.chart_groups.push_back(std::move(covered));
