@@ -100,8 +100,14 @@ void Refiner::split(int h) {
     mesh.place.push_back({1, e, {t, 0}});
   } else {
     const int f = mesh.triangle_face[h / 3];
+    const FaceGeometry& face = cad_.face(f);
     uv[0] = uv[1] = 0.5 * (uv[0] + uv[1]);  // the two differ next to a pole alone
-    mesh.points.push_back(cad_.face(f).point(uv[0]));
+    if (face.native == SurfaceKind::Sphere || face.native == SurfaceKind::Cone) {
+      // Round a pole the middle in parameters is far from the middle in space.
+      Vec2 foot;
+      if (face.closest(0.5 * (mesh.points[mesh.from(h)] + mesh.points[mesh.to(h)]), uv[0], foot)) uv[0] = uv[1] = foot;
+    }
+    mesh.points.push_back(face.point(uv[0]));
     mesh.place.push_back({2, f, uv[0]});
   }
   singular_.push_back(0);
