@@ -21,45 +21,45 @@ Boundary::Boundary(const std::vector<CadPlace>& place, const std::vector<char>& 
     node_.push_back(v);
     entity_.push_back(place[v].entity);
     dim_.push_back(static_cast<char>(place[v].dim));
-    motion_.push_back(place[v].dim == 0 ? Motion::Fixed : place[v].dim == 1 ? Motion::Line : Motion::Plane);
-    parameter_.push_back(place[v].uv);
+    feet_.motion.push_back(place[v].dim == 0 ? Motion::Fixed : place[v].dim == 1 ? Motion::Line : Motion::Plane);
+    feet_.parameter.push_back(place[v].uv);
   }
   const std::size_t n = node_.size();
-  clamped_.assign(n, 0);
-  for (auto* list : {&foot_, &origin_, &axis_, &outward_, &line_}) list->assign(n, Vec3::Zero());
+  feet_.clamped.assign(n, 0);
+  for (auto* list : {&feet_.foot, &feet_.origin, &feet_.axis, &feet_.outward, &feet_.line}) list->assign(n, Vec3::Zero());
 }
 
 void Boundary::find_foot(int i, const Vec3& p) {
-  origin_[i] = p;
-  clamped_[i] = 0;
+  feet_.origin[i] = p;
+  feet_.clamped[i] = 0;
   if (dim_[i] == 0) {
-    foot_[i] = projector_.vertex_point(entity_[i]);
+    feet_.foot[i] = projector_.vertex_point(entity_[i]);
     return;
   }
   if (dim_[i] == 1) {
-    const CurvePoint c = projector_.project_to_edge(entity_[i], p, &parameter_[i][0]);
+    const CurvePoint c = projector_.project_to_edge(entity_[i], p, &feet_.parameter[i][0]);
     if (!c.point.allFinite() || !c.tangent.allFinite()) return;  // defective geometry: the last foot stays
-    foot_[i] = c.point;
-    axis_[i] = line_[i] = c.tangent;
-    parameter_[i][0] = c.t;
-    motion_[i] = Motion::Line;
+    feet_.foot[i] = c.point;
+    feet_.axis[i] = feet_.line[i] = c.tangent;
+    feet_.parameter[i][0] = c.t;
+    feet_.motion[i] = Motion::Line;
     const double along = c.tangent.dot(p - c.point), across = (p - c.point - along * c.tangent).norm();
-    clamped_[i] = std::abs(along) > 1e-3 * size_ && std::abs(along) > 0.3 * across;
-    if (clamped_[i]) outward_[i] = along > 0 ? c.tangent : Vec3(-c.tangent);
+    feet_.clamped[i] = std::abs(along) > 1e-3 * size_ && std::abs(along) > 0.3 * across;
+    if (feet_.clamped[i]) feet_.outward[i] = along > 0 ? c.tangent : Vec3(-c.tangent);
     return;
   }
-  const FacePoint f = projector_.project_to_face(entity_[i], p, &parameter_[i]);
+  const FacePoint f = projector_.project_to_face(entity_[i], p, &feet_.parameter[i]);
   if (!f.point.allFinite() || !f.normal.allFinite()) return;
-  foot_[i] = f.point;
-  axis_[i] = f.normal;
-  parameter_[i] = f.uv;
-  motion_[i] = Motion::Plane;
+  feet_.foot[i] = f.point;
+  feet_.axis[i] = f.normal;
+  feet_.parameter[i] = f.uv;
+  feet_.motion[i] = Motion::Plane;
   // Without trimming, points would run along the plane's extension (experiments B7).
   const double height = f.normal.dot(p - f.point);
   const Vec3 side = p - f.point - height * f.normal;
   const double offset = side.norm();
-  clamped_[i] = offset > 1e-3 * size_ && offset > 0.3 * std::abs(height);
-  if (clamped_[i]) outward_[i] = side / offset;
+  feet_.clamped[i] = offset > 1e-3 * size_ && offset > 0.3 * std::abs(height);
+  if (feet_.clamped[i]) feet_.outward[i] = side / offset;
 }
 
 double Boundary::find_feet(const std::vector<double>& x) {
@@ -68,7 +68,7 @@ double Boundary::find_feet(const std::vector<double>& x) {
     for (int i = begin; i < end; ++i) find_foot(i, at(x, node_[i]));
   });
   double deviation = 0;
-  for (int i = 0; i < n; ++i) deviation = std::max(deviation, (foot_[i] - origin_[i]).squaredNorm());
+  for (int i = 0; i < n; ++i) deviation = std::max(deviation, (feet_.foot[i] - feet_.origin[i]).squaredNorm());
   return std::sqrt(deviation);
 }
 
@@ -80,18 +80,18 @@ void Boundary::find_feet(const std::vector<double>& x, const std::vector<char>& 
 }
 
 void Boundary::snap(std::vector<double>& x) {
-  for (std::size_t i = 0; i < node_.size(); ++i) at(x, node_[i]) = origin_[i] = foot_[i];
+  for (std::size_t i = 0; i < node_.size(); ++i) at(x, node_[i]) = feet_.origin[i] = feet_.foot[i];
 }
 
 void Boundary::hold_at_rims(const std::vector<double>& gradient) {
   for (std::size_t i = 0; i < node_.size(); ++i) {
     if (dim_[i] == 0) continue;
-    const bool outward = clamped_[i] && at(gradient, node_[i]).dot(outward_[i]) < 0;
+    const bool outward = feet_.clamped[i] && at(gradient, node_[i]).dot(feet_.outward[i]) < 0;
     if (dim_[i] == 1) {
-      motion_[i] = outward ? Motion::Fixed : Motion::Line;
+      feet_.motion[i] = outward ? Motion::Fixed : Motion::Line;
     } else {
-      motion_[i] = outward ? Motion::Line : Motion::Plane;
-      if (outward) line_[i] = axis_[i].cross(outward_[i]);
+      feet_.motion[i] = outward ? Motion::Line : Motion::Plane;
+      if (outward) feet_.line[i] = feet_.axis[i].cross(feet_.outward[i]);
     }
   }
 }
@@ -100,12 +100,12 @@ void Boundary::make_tangent(std::vector<double>& gradient) const {
   fix_corners(gradient);
   for (std::size_t i = 0; i < node_.size(); ++i) {
     auto g = at(gradient, node_[i]);
-    if (motion_[i] == Motion::Fixed)
+    if (feet_.motion[i] == Motion::Fixed)
       g.setZero();
-    else if (motion_[i] == Motion::Line)
-      g = line_[i].dot(g) * line_[i];
+    else if (feet_.motion[i] == Motion::Line)
+      g = feet_.line[i].dot(g) * feet_.line[i];
     else
-      g -= axis_[i].dot(g) * axis_[i];
+      g -= feet_.axis[i].dot(g) * feet_.axis[i];
   }
 }
 
@@ -115,8 +115,8 @@ void Boundary::fix_corners(std::vector<double>& gradient) const {
 
 /// The part of an offset that is penalised: off the plane, off the line; all of it where the foot is on the rim.
 Vec3 Boundary::penalised(int i, const Vec3& d) const {
-  if (clamped_[i]) return d;
-  const Vec3 along = axis_[i].dot(d) * axis_[i];
+  if (feet_.clamped[i]) return d;
+  const Vec3 along = feet_.axis[i].dot(d) * feet_.axis[i];
   return dim_[i] == 2 ? along : Vec3(d - along);
 }
 
@@ -125,34 +125,64 @@ double Boundary::add_penalty(const std::vector<double>& x, double weight, std::v
   double energy = 0;
   for (std::size_t i = 0; i < node_.size(); ++i) {
     if (dim_[i] == 0) continue;
-    const Vec3 off = penalised(static_cast<int>(i), at(x, node_[i]) - foot_[i]);
+    const Vec3 off = penalised(static_cast<int>(i), at(x, node_[i]) - feet_.foot[i]);
     energy += off.squaredNorm();
     at(gradient, node_[i]) += 2 * factor * off;
   }
   return factor * energy;
 }
 
-void Boundary::divide(std::vector<double>& r, const std::vector<double>& stiffness, double weight) const {
-  for (int v = 0; v < static_cast<int>(stiffness.size()); ++v) at(r, v) /= stiffness[v];
-  if (!(weight > 0)) return;
+void Boundary::invert_stiffness(const std::vector<double>& stiffness, double weight, std::vector<double>& inverse) const {
+  const int n = static_cast<int>(stiffness.size()) / 6;
+  inverse.resize(stiffness.size());
+  const auto block = [&](int v) {
+    const double* s = stiffness.data() + 6 * v;
+    Mat3 k;
+    k << s[0], s[5], s[4], s[5], s[1], s[3], s[4], s[3], s[2];
+    // A little of the trace: the blocks are sums of few terms.
+    const double trace = k.trace();
+    k.diagonal().array() += trace > 0 && std::isfinite(trace) ? 1e-3 * trace : 1;
+    return k;
+  };
+  const auto put = [&](int v, const Mat3& m) {
+    double* r = inverse.data() + 6 * v;
+    if (m.allFinite())
+      r[0] = m(0, 0), r[1] = m(1, 1), r[2] = m(2, 2), r[3] = m(1, 2), r[4] = m(0, 2), r[5] = m(0, 1);
+    else
+      r[0] = r[1] = r[2] = r[3] = r[4] = r[5] = 0;
+  };
+  workers_.run(n, 512, [&](int begin, int end) {
+    for (int v = begin; v < end; ++v) put(v, block(v).inverse());
+  });
   const double extra = 2 * weight / (size_ * size_);
   for (std::size_t i = 0; i < node_.size(); ++i) {
-    if (dim_[i] == 0) continue;
-    const double k = stiffness[node_[i]];
-    auto v = at(r, node_[i]);
-    v -= extra / (k + extra) * penalised(static_cast<int>(i), v);
+    const int v = node_[i];
+    Mat3 k = block(v);
+    if (weight > 0) {
+      if (dim_[i] == 0) continue;
+      const Mat3 along = feet_.axis[i] * feet_.axis[i].transpose();
+      k += extra * (feet_.clamped[i] ? Mat3(Mat3::Identity()) : dim_[i] == 2 ? along : Mat3(Mat3::Identity() - along));
+      put(v, k.inverse());
+    } else if (feet_.motion[i] == Motion::Plane) {
+      const Mat3 m = k.inverse();
+      const Vec3 u = m * feet_.axis[i];
+      put(v, m - u * u.transpose() / feet_.axis[i].dot(u));
+    } else if (feet_.motion[i] == Motion::Line) {
+      put(v, feet_.line[i] * feet_.line[i].transpose() / feet_.line[i].dot(k * feet_.line[i]));
+    }
   }
+  for (int v : fixed_) put(v, Mat3::Zero());
 }
 
 bool Boundary::drifted(const std::vector<double>& x, double limit) const {
   for (std::size_t i = 0; i < node_.size(); ++i)
-    if ((at(x, node_[i]) - origin_[i]).squaredNorm() > limit * limit) return true;
+    if ((at(x, node_[i]) - feet_.origin[i]).squaredNorm() > limit * limit) return true;
   return false;
 }
 
 void Boundary::store(std::vector<CadPlace>& place) const {
   for (std::size_t i = 0; i < node_.size(); ++i)
-    if (dim_[i] > 0) place[node_[i]].uv = parameter_[i];
+    if (dim_[i] > 0) place[node_[i]].uv = feet_.parameter[i];
 }
 
 }  // namespace hexfeature

@@ -1,5 +1,6 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #pragma once
+#include <utility>
 #include <vector>
 
 #include "mesh/projector.h"
@@ -12,6 +13,18 @@ namespace hexfeature {
 /// these mean for a gradient. Coordinates are flat, 3 a point; lengths in the part's unit.
 class Boundary {
  public:
+  enum class Motion : char { Fixed, Line, Plane };  ///< where a point may go on the tangent spaces
+  /// All that is found out about the boundary points, in their order.
+  struct Feet {
+    std::vector<char> clamped;  ///< the foot is on the rim, the point was beyond it
+    std::vector<Motion> motion;
+    std::vector<Vec2> parameter;
+    std::vector<Vec3> foot, origin;
+    std::vector<Vec3> axis;     ///< the surface's normal or the curve's tangent at the foot
+    std::vector<Vec3> outward;  ///< where clamped: unit vector away from the face, in its tangent plane; or along the curve
+    std::vector<Vec3> line;     ///< where motion is Line: its direction
+  };
+
   /// `place` of each point; a point that is not `free` is never moved. `size` is the element size h.
   Boundary(const std::vector<CadPlace>& place, const std::vector<char>& free, const Projector& projector, double size, Workers& workers);
 
@@ -19,6 +32,8 @@ class Boundary {
   double find_feet(const std::vector<double>& x);
   /// The same for some of them: `which` per point.
   void find_feet(const std::vector<double>& x, const std::vector<char>& which);
+  Feet save() const { return feet_; }
+  void restore(Feet feet) { feet_ = std::move(feet); }
   /// Put all boundary points onto their feet: the CAD's own points, exactly.
   void snap(std::vector<double>& x);
 
@@ -32,8 +47,9 @@ class Boundary {
 
   /// weight / h^2 times the squared distance from the tangent planes and lines; adds to `gradient`.
   double add_penalty(const std::vector<double>& x, double weight, std::vector<double>& gradient) const;
-  /// Divide by `stiffness` (one number a point), and by stiffness + 2 weight / h^2 in the penalised directions.
-  void divide(std::vector<double>& r, const std::vector<double>& stiffness, double weight) const;
+  /// Per point the symmetric matrix (xx yy zz yz xz xy) that turns a gradient into a Newton step of that point alone: the
+  /// inverse of `stiffness`, with the penalty's own (weight > 0), or within the tangent space (weight = 0).
+  void invert_stiffness(const std::vector<double>& stiffness, double weight, std::vector<double>& inverse) const;
 
   /// Whether a boundary point has moved farther than `limit` from where it was at the last find_feet or snap.
   bool drifted(const std::vector<double>& x, double limit) const;
@@ -42,20 +58,13 @@ class Boundary {
   bool empty() const { return node_.empty(); }
 
  private:
-  enum class Motion : char { Fixed, Line, Plane };  ///< what `make_tangent` leaves
   void find_foot(int i, const Vec3& p);
   Vec3 penalised(int i, const Vec3& d) const;
 
   std::vector<int> node_, entity_;
   std::vector<char> dim_;
-  std::vector<char> clamped_;  ///< the foot is on the rim, the point was beyond it
-  std::vector<Motion> motion_;
-  std::vector<Vec2> parameter_;
-  std::vector<Vec3> foot_, origin_;
-  std::vector<Vec3> axis_;     ///< the surface's normal or the curve's tangent at the foot
-  std::vector<Vec3> outward_;  ///< where clamped: unit vector away from the face, in its tangent plane; or along the curve
-  std::vector<Vec3> line_;     ///< where motion is Line: its direction
-  std::vector<int> fixed_;     ///< points that are not free
+  Feet feet_;
+  std::vector<int> fixed_;  ///< points that are not free
   const Projector& projector_;
   double size_;
   Workers& workers_;

@@ -180,4 +180,88 @@ EnergyValue HexEnergy::evaluate(const double* x, const EnergyTerms& terms, doubl
   return value;
 }
 
+namespace {
+
+/// Second derivatives at one corner, in the scaled edges: alpha[i] I for the change of edge i alone, and
+/// curvature * g g^T for a change along g, the concatenated `along`.
+struct CornerStiffness {
+  double alpha[3], curvature;
+  Vec3 along[3];
+};
+
+CornerStiffness corner_stiffness(const Vec3 (&e)[3], const EnergyTerms& terms) {
+  CornerStiffness r;
+  r.along[0] = e[1].cross(e[2]);
+  r.along[1] = e[2].cross(e[0]);
+  r.along[2] = e[0].cross(e[1]);
+  const double d = e[0].dot(r.along[0]), sum = e[0].squaredNorm() + e[1].squaredNorm() + e[2].squaredNorm();
+  if (terms.power == 0) {
+    const double root = std::sqrt(terms.epsilon_squared + d * d), outer = root + std::abs(d);
+    const double chi = d >= 0 ? 0.5 * outer : 0.5 * terms.epsilon_squared / outer;
+    const double y = 1 / std::cbrt(chi), y2 = y * y, slope = chi / root;
+    for (double& a : r.alpha) a = 2 * (1 - terms.theta) * y2;
+    r.curvature = slope * slope / (chi * chi) * ((1 - terms.theta) * (10.0 / 9.0) * sum * y2 + 2 * terms.theta * (1 + d * d) / chi);
+    return r;
+  }
+  // q = e^u, u = Sum log |e_i| - log d: (q^p)'' = p^2 q^p u' u'^T + p q^p u''.
+  double lengths = 1;
+  for (const Vec3& v : e) lengths *= v.norm();
+  if (!(d > 0)) {
+    for (int i = 0; i < 3; ++i) r.alpha[i] = 1, r.along[i].setZero();
+    r.curvature = 0;
+    return r;
+  }
+  const double power = std::pow(lengths / d, terms.power);
+  for (int i = 0; i < 3; ++i) {
+    const double square = std::max(e[i].squaredNorm(), 1e-30);
+    r.along[i] = e[i] / square - r.along[i] / d;
+    r.alpha[i] = terms.power * power / square + 2 * terms.shape_weight;
+  }
+  r.curvature = terms.power * (terms.power + 1.0) * power;
+  return r;
+}
+
+}  // namespace
+
+void HexEnergy::stiffness(const double* x, const EnergyTerms& terms, std::vector<double>& blocks) const {
+  const int groups = static_cast<int>(parts_.size());
+  std::vector<double> per_node(static_cast<std::size_t>(48) * kLanes * groups);  // slots_' layout with 6 numbers
+  workers_.run(groups, 64, [&](int begin, int end) {
+    for (int group = begin; group < end; ++group)
+      for (int lane = 0; lane < kLanes; ++lane) {
+        const double inverse = inverse_size_[kLanes * group + lane];
+        Vec3 p[8];
+        Eigen::Matrix<double, 6, 1> sum[8];
+        for (int k = 0; k < 8; ++k) {
+          p[k] = inverse * Eigen::Map<const Vec3>(x + nodes_[(8 * group + k) * kLanes + lane]);
+          sum[k].setZero();
+        }
+        const auto add = [&](int k, double alpha, double curvature, const Vec3& g) {
+          sum[k].head<3>() += Vec3::Constant(alpha) + curvature * g.cwiseProduct(g);
+          sum[k].tail<3>() += curvature * Vec3(g[1] * g[2], g[0] * g[2], g[0] * g[1]);
+        };
+        for (const auto& corner : kHexCorners) {
+          const Vec3 edges[3] = {p[corner[1]] - p[corner[0]], p[corner[2]] - p[corner[0]], p[corner[3]] - p[corner[0]]};
+          const CornerStiffness s = corner_stiffness(edges, terms);
+          for (int i = 0; i < 3; ++i) add(corner[i + 1], s.alpha[i], s.curvature, s.along[i]);
+          add(corner[0], s.alpha[0] + s.alpha[1] + s.alpha[2], s.curvature, s.along[0] + s.along[1] + s.along[2]);
+        }
+        for (int k = 0; k < 8; ++k)
+          for (int i = 0; i < 6; ++i) per_node[((8 * group + k) * 6 + i) * kLanes + lane] = sum[k][i] * inverse * inverse;
+      }
+  });
+  blocks.resize(6 * points_);
+  workers_.run(points_, 512, [&](int begin, int end) {
+    for (int v = begin; v < end; ++v)
+      for (int c = 0; c < 6; ++c) {
+        double total = 0;
+        for (int i = start_[v]; i < start_[v + 1]; ++i) {
+          const int lane = incident_[i] % kLanes;
+          total += per_node[2 * (incident_[i] - lane) + c * kLanes + lane];
+        }
+        blocks[6 * v + c] = total;
+      }
+  });
+}
+
 }  // namespace hexfeature

@@ -44,6 +44,11 @@ class HexEnergy {
 
   /// `gradient` (3 per point, may be null) is overwritten.
   EnergyValue evaluate(const double* x, const EnergyTerms& terms, double* gradient);
+
+  /// The positive part of the Hessian's diagonal blocks: `blocks` gets a symmetric positive semidefinite matrix per point, as
+  /// xx yy zz yz xz xy. Where elements are nearly flat these are many orders of magnitude larger than elsewhere, which is
+  /// what makes an unscaled descent crawl. Elements for which the energy is not defined count as perfect ones.
+  void stiffness(const double* x, const EnergyTerms& terms, std::vector<double>& blocks) const;
   int hex_count() const { return hexes_; }
 
  private:

@@ -8,10 +8,13 @@
 namespace hexfeature {
 namespace {
 
-constexpr int kMemory = 8, kChunk = 2048;
+constexpr int kChunk = 2048;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
 
 /// Vector operations in chunks of fixed length, so that sums do not depend on the number of threads.
-class Algebra {
+class Lbfgs::Algebra {
  public:
   Algebra(int n, Workers& workers) : n_(n), chunks_((n + kChunk - 1) / kChunk), parts_(chunks_), workers_(workers) {}
 
@@ -31,18 +34,18 @@ class Algebra {
     for (double p : parts_) total += p;
     return total;
   }
-  /// y += s x
-  void add(std::vector<double>& y, double s, const std::vector<double>& x) {
-    workers_.run(n_, 8 * kChunk, [&](int begin, int end) {
-      for (int i = begin; i < end; ++i) y[i] += s * x[i];
-    });
-  }
-  /// y = a + s x
+  /// y = a + s x; y may be a.
   void sum(std::vector<double>& y, const std::vector<double>& a, double s, const std::vector<double>& x) {
     workers_.run(n_, 8 * kChunk, [&](int begin, int end) {
       for (int i = begin; i < end; ++i) y[i] = a[i] + s * x[i];
     });
   }
+  void multiply(std::vector<double>& y, double s) {
+    workers_.run(n_, 8 * kChunk, [&](int begin, int end) {
+      for (int i = begin; i < end; ++i) y[i] *= s;
+    });
+  }
+  /// The longest move of a point.
   double longest(const std::vector<double>& d) const {
     double most = 0;
     for (int i = 0; i + 2 < n_; i += 3) most = std::max(most, d[i] * d[i] + d[i + 1] * d[i + 1] + d[i + 2] * d[i + 2]);
@@ -55,105 +58,93 @@ class Algebra {
   Workers& workers_;
 };
 
-struct Pair {
-  std::vector<double> s, y;
-  double rho = 0;
-};
+Lbfgs::Lbfgs(int unknowns, Workers& workers)
+    : n_(unknowns),
+      algebra_(new Algebra(unknowns, workers)),
+      memory_(kMemory),
+      gradient_(unknowns),
+      direction_(unknowns),
+      trial_(unknowns),
+      trial_gradient_(unknowns) {}
 
-}  // namespace
+Lbfgs::~Lbfgs() = default;
 
-LbfgsResult minimise(Objective& objective, std::vector<double>& x, const LbfgsOptions& options, Workers& workers) {
-  const int n = static_cast<int>(x.size());
-  Algebra algebra(n, workers);
+void Lbfgs::find_direction(const Objective& objective) {
+  direction_ = gradient_;
+  double alpha[kMemory];
+  for (int i = 0; i < stored_; ++i) {
+    alpha[i] = recent(i).rho * algebra_->dot(recent(i).s, direction_);
+    algebra_->sum(direction_, direction_, -alpha[i], recent(i).y);
+  }
+  objective.precondition(direction_);
+  if (stored_ > 0) algebra_->multiply(direction_, scale_);
+  for (int i = stored_ - 1; i >= 0; --i)
+    algebra_->sum(direction_, direction_, alpha[i] - recent(i).rho * algebra_->dot(recent(i).y, direction_), recent(i).s);
+  objective.constrain(direction_);
+}
+
+bool Lbfgs::search(Objective& objective, const std::vector<double>& x, double& value, double slope, double step, int& evaluations) {
+  // Backtracking with quadratic interpolation; a step to where the value is not defined is cut in four.
+  for (int tries = 0; tries < 14; ++tries) {
+    algebra_->sum(trial_, x, -step, direction_);
+    const double next = objective.evaluate(trial_, trial_gradient_);
+    ++evaluations;
+    if (next <= value + 1e-4 * step * slope) {
+      value = next;
+      return true;
+    }
+    if (next < kInfinity)
+      step = std::clamp(-slope * step * step / (2 * (next - value - slope * step)), 0.1 * step, 0.5 * step);
+    else
+      step *= 0.25;
+  }
+  return false;
+}
+
+void Lbfgs::learn(const Objective& objective, const std::vector<double>& x) {
+  Pair& pair = memory_[(newest_ + 1) % kMemory];
+  pair.s.resize(n_);
+  pair.y.resize(n_);
+  algebra_->sum(pair.s, trial_, -1, x);
+  algebra_->sum(pair.y, trial_gradient_, -1, gradient_);
+  const double sy = algebra_->dot(pair.s, pair.y);
+  if (!(sy > 1e-12 * std::sqrt(algebra_->dot(pair.s, pair.s) * algebra_->dot(pair.y, pair.y)))) return;
+  pair.rho = 1 / sy;
+  direction_ = pair.y;
+  objective.precondition(direction_);
+  scale_ = sy / algebra_->dot(pair.y, direction_);
+  newest_ = (newest_ + 1) % kMemory;
+  stored_ = std::min(stored_ + 1, kMemory);
+}
+
+LbfgsResult Lbfgs::descend(Objective& objective, std::vector<double>& x, const LbfgsOptions& options) {
   LbfgsResult result;
-  std::vector<double> gradient(n), trial(n), trial_gradient(n), direction(n);
-  double value = objective.evaluate(x, gradient);
+  double value = objective.evaluate(x, gradient_);
   result.evaluations = 1;
   result.value = value;
-  if (!(value < std::numeric_limits<double>::infinity())) return result;
-
-  std::vector<Pair> memory(kMemory);
-  int stored = 0, newest = -1, idle = 0;
-  double scale = 0;  // of the inverse Hessian; 0: not known, the first step is as long as a third of the limit
+  if (!(value < kInfinity)) return result;
+  int idle = 0;
   while (result.iterations < options.iterations) {
-    // Two-loop recursion.
-    direction = gradient;
-    double alpha[kMemory];
-    for (int i = 0; i < stored; ++i) {
-      const Pair& m = memory[(newest - i + kMemory) % kMemory];
-      alpha[i] = m.rho * algebra.dot(m.s, direction);
-      algebra.add(direction, -alpha[i], m.y);
-    }
-    objective.precondition(direction);
-    if (stored > 0)
-      workers.run(n, 8 * kChunk, [&](int begin, int end) {
-        for (int i = begin; i < end; ++i) direction[i] *= scale;
-      });
-    for (int i = stored - 1; i >= 0; --i) {
-      const Pair& m = memory[(newest - i + kMemory) % kMemory];
-      algebra.add(direction, alpha[i] - m.rho * algebra.dot(m.y, direction), m.s);
-    }
-    const double slope = -algebra.dot(gradient, direction), reach = algebra.longest(direction);
-    if (!(slope < 0) || !(reach > 0)) {
-      result.converged = slope == 0;
-      if (stored == 0) break;
-      stored = 0;
+    find_direction(objective);
+    const double slope = -algebra_->dot(gradient_, direction_), reach = algebra_->longest(direction_);
+    const double before = value;
+    if (!(slope < 0) || !(reach > 0) ||
+        !search(objective, x, value, slope, std::min(1.0, options.step_limit / reach), result.evaluations)) {
+      // What was learnt does not help here; without it, this is a minimum as far as numbers go.
+      result.converged = stored_ == 0;
+      if (stored_ == 0) break;
+      forget();
       continue;
     }
-    double step = stored > 0 ? std::min(1.0, options.step_limit / reach) : options.step_limit / (3 * reach);
-
-    // Backtracking with quadratic interpolation; a step into where the value is not defined is cut in four.
-    double next = std::numeric_limits<double>::infinity();
-    bool found = false;
-    for (int tries = 0; tries < 14 && !found; ++tries) {
-      algebra.sum(trial, x, -step, direction);
-      next = objective.evaluate(trial, trial_gradient);
-      ++result.evaluations;
-      if (next <= value + 1e-4 * step * slope) {
-        found = true;
-      } else if (next < std::numeric_limits<double>::infinity()) {
-        const double best = -slope * step * step / (2 * (next - value - slope * step));
-        step = std::clamp(best, 0.1 * step, 0.5 * step);
-      } else {
-        step *= 0.25;
-      }
-    }
-    if (!found) {
-      if (stored == 0) {
-        result.converged = true;
-        break;
-      }
-      stored = 0;
-      continue;
-    }
-
-    const int slot = (newest + 1) % kMemory;
-    Pair& pair = memory[slot];
-    pair.s.resize(n);
-    pair.y.resize(n);
-    algebra.sum(pair.s, trial, -1, x);
-    algebra.sum(pair.y, trial_gradient, -1, gradient);
-    const double sy = algebra.dot(pair.s, pair.y);
-    if (sy > 1e-12 * std::sqrt(algebra.dot(pair.s, pair.s) * algebra.dot(pair.y, pair.y))) {
-      pair.rho = 1 / sy;
-      direction = pair.y;
-      objective.precondition(direction);
-      scale = sy / algebra.dot(pair.y, direction);
-      newest = slot;
-      stored = std::min(stored + 1, kMemory);
-    }
-    const double gain = value - next, before = value - options.floor;
-    x.swap(trial);
-    gradient.swap(trial_gradient);
-    value = next;
+    learn(objective, x);
+    x.swap(trial_);
+    gradient_.swap(trial_gradient_);
     ++result.iterations;
     result.value = value;
     if (objective.enough(x)) break;
-    idle = gain < options.least_decrease * before ? idle + 1 : 0;
-    if (idle >= 3) {
-      result.converged = true;
-      break;
-    }
+    idle = before - value < options.least_decrease * (before - options.floor) ? idle + 1 : 0;
+    result.converged = idle >= 3;
+    if (result.converged) break;
   }
   return result;
 }

@@ -48,7 +48,6 @@ Patch::Patch(const HexComplex& mesh, const std::vector<char>& free_points, Smoot
     for (int a = 0; a < 3; ++a) x.push_back(mesh.points[v][a]);
   }
   std::vector<double> target, shortest;
-  stiffness.assign(nodes.size(), 0.0);
   for (int h : elements) {
     std::array<int, 8> hex;
     for (int k = 0; k < 8; ++k) hex[k] = own[mesh.hexes[h][k]];
@@ -56,7 +55,6 @@ Patch::Patch(const HexComplex& mesh, const std::vector<char>& free_points, Smoot
     const double size = setting.target[h];
     target.push_back(size);
     shortest.push_back(std::max(std::min(0.15 * setting.options.size, 0.6 * shortest_edge(x, hex)), 1e-9 * size));
-    for (int v : hex) stiffness[v] += 12 / (size * size);
   }
   boundary = std::make_unique<Boundary>(place, free, setting.projector, setting.options.size, setting.workers);
   energy = std::make_unique<HexEnergy>(hexes, static_cast<int>(nodes.size()), target, shortest, setting.workers);
@@ -121,13 +119,18 @@ std::vector<double> Patch::retract(const std::vector<double>& from, const std::v
   return from;
 }
 
+PatchObjective::PatchObjective(Patch& patch, const EnergyTerms& terms, double penalty) : patch_(patch), terms_(terms), penalty_(penalty) {
+  std::vector<double> stiffness;
+  patch.energy->stiffness(patch.x.data(), terms, stiffness);
+  patch.boundary->invert_stiffness(stiffness, penalty, inverse_);
+}
+
 double PatchObjective::evaluate(const std::vector<double>& x, std::vector<double>& gradient) {
   patch_.setting.context.check();
   const EnergyValue value = patch_.energy->evaluate(x.data(), terms_, gradient.data());
-  min_det = value.min_det;
   if (!(value.energy < std::numeric_limits<double>::infinity())) return value.energy;
-  if (penalty_weight > 0) {
-    const double penalty = patch_.boundary->add_penalty(x, penalty_weight, gradient);
+  if (penalty_ > 0) {
+    const double penalty = patch_.boundary->add_penalty(x, penalty_, gradient);
     patch_.boundary->fix_corners(gradient);
     return value.energy + penalty;
   }
@@ -135,7 +138,25 @@ double PatchObjective::evaluate(const std::vector<double>& x, std::vector<double
   return value.energy;
 }
 
-void PatchObjective::precondition(std::vector<double>& r) const { patch_.boundary->divide(r, patch_.stiffness, penalty_weight); }
+void PatchObjective::precondition(std::vector<double>& r) const {
+  patch_.setting.workers.run(static_cast<int>(patch_.nodes.size()), 2048, [&](int begin, int end) {
+    for (int v = begin; v < end; ++v) {
+      const double* m = inverse_.data() + 6 * v;
+      double* g = r.data() + 3 * v;
+      const double x = g[0], y = g[1], z = g[2];
+      g[0] = m[0] * x + m[5] * y + m[4] * z;
+      g[1] = m[5] * x + m[1] * y + m[3] * z;
+      g[2] = m[4] * x + m[3] * y + m[2] * z;
+    }
+  });
+}
+
+void PatchObjective::constrain(std::vector<double>& direction) const {
+  if (penalty_ > 0)
+    patch_.boundary->fix_corners(direction);
+  else
+    patch_.boundary->make_tangent(direction);
+}
 
 bool PatchObjective::enough(const std::vector<double>& x) const { return drift_limit > 0 && patch_.boundary->drifted(x, drift_limit); }
 

@@ -62,17 +62,19 @@ class Patch {
 /// The energy of a patch with its boundary: penalised (soft rounds) or restricted to the tangent spaces.
 class PatchObjective : public Objective {
  public:
-  PatchObjective(Patch& patch, const EnergyTerms& terms) : patch_(patch), terms_(terms) {}
+  /// `penalty` > 0: boundary points are free, weight of their penalty; 0: they stay on their tangent planes and lines.
+  PatchObjective(Patch& patch, const EnergyTerms& terms, double penalty);
   double evaluate(const std::vector<double>& x, std::vector<double>& gradient) override;
   void precondition(std::vector<double>& r) const override;
+  void constrain(std::vector<double>& direction) const override;
   bool enough(const std::vector<double>& x) const override;
-  double penalty_weight = 0;  ///< > 0: penalised
-  double drift_limit = 0;     ///< end when a boundary point has moved so far; 0: no limit
-  double min_det = 0;         ///< at the last evaluation
+  double drift_limit = 0;  ///< end when a boundary point has moved so far; 0: no limit
 
  private:
   Patch& patch_;
   EnergyTerms terms_;
+  double penalty_;
+  std::vector<double> inverse_;  ///< of the stiffness, per point
 };
 
 /// (2) of experiments B5: penalised untangling rounds. Returns the number of rounds.

@@ -23,18 +23,19 @@ LbfgsOptions descent_options(const Patch& patch, const EnergyTerms& terms) {
   return o;
 }
 
-/// The best of the states seen: fewest inverted elements, then the worst element, then the mean.
+/// The best of the states seen: fewest inverted elements, then the worst element, then the mean. Differences of the worst
+/// that nobody sees (often the CAD's own corner sets it) must not cost the mean.
 class Best {
  public:
-  void offer(const Patch& patch, const std::vector<double>& x) {
-    const Grade g = patch.grade(x);
-    peak_ = g.inverted < grade_.inverted ? g.min_sj : std::max(peak_, g.inverted == grade_.inverted ? g.min_sj : peak_);
-    const double slack = peak_ > 0.1 ? 0.003 : 0;  // differences that nobody sees must not cost the mean
+  void offer(const Patch& patch) {
+    const Grade g = patch.grade();
+    if (g.inverted < grade_.inverted || g.min_sj > peak_) peak_ = g.min_sj;
+    const double slack = peak_ > 0.1 ? 0.003 : 0;
     const bool better =
-        x_.empty() || g.inverted < grade_.inverted ||
+        g.inverted < grade_.inverted ||
         (g.inverted == grade_.inverted && (g.min_sj > grade_.min_sj + slack || (g.min_sj >= peak_ - slack && g.sum_sj > grade_.sum_sj)));
     if (!better) return;
-    x_ = x;
+    x_ = patch.x;
     grade_ = g;
   }
   const std::vector<double>& x() const { return x_; }
@@ -53,15 +54,15 @@ int untangle_softly(Patch& patch) {
   EnergyTerms terms;
   terms.theta = options.theta;
   terms.epsilon_squared = std::numeric_limits<double>::infinity();
+  Lbfgs descent(static_cast<int>(patch.x.size()), patch.setting.workers);
   for (int round = 0; round < options.untangle_rounds; ++round) {
     const double deviation = patch.boundary->find_feet(patch.x);
     const Grade grade = patch.grade();
     if (grade.min_sj > 0.05 && deviation < 0.02 * h) return round;
     lower_epsilon(terms, worst_determinant(patch, terms));
-    PatchObjective objective(patch, terms);
-    objective.penalty_weight = 200 * std::pow(3.0, std::min(round, 6));
+    PatchObjective objective(patch, terms, 200 * std::pow(3.0, std::min(round, 6)));
     objective.drift_limit = 0.3 * h;
-    minimise(objective, patch.x, descent_options(patch, terms), patch.setting.workers);
+    descent.descend(objective, patch.x, descent_options(patch, terms));
     patch.setting.context.progress("smooth", 0.5 * (round + 1) / options.untangle_rounds);
   }
   return options.untangle_rounds;
@@ -75,23 +76,41 @@ void slide(Patch& patch) {
   patch.boundary->find_feet(patch.x);
   patch.boundary->snap(patch.x);
   Best best;
-  best.offer(patch, patch.x);
+  best.offer(patch);
   std::vector<double> gradient(patch.x.size());
-  for (int round = 0; round < 8; ++round) {
+  Lbfgs descent(static_cast<int>(patch.x.size()), patch.setting.workers);
+  double drift = 0.3 * h;
+  int left = 200;
+  while (left > 0 && drift > 1e-3 * h) {
     lower_epsilon(terms, worst_determinant(patch, terms));
     const double before = patch.energy->evaluate(patch.x.data(), terms, gradient.data()).energy;
     if (!std::isfinite(before)) break;
     patch.boundary->hold_at_rims(gradient);
-    PatchObjective objective(patch, terms);
-    objective.drift_limit = 0.3 * h;
+    const Boundary::Feet feet = patch.boundary->save();
+    PatchObjective objective(patch, terms, 0);
+    objective.drift_limit = drift;
+    LbfgsOptions options = descent_options(patch, terms);
+    options.iterations = std::min(left, 40);
     std::vector<double> moved = patch.x;
-    const LbfgsResult result = minimise(objective, moved, descent_options(patch, terms), patch.setting.workers);
-    patch.x = patch.retract(patch.x, moved);
-    best.offer(patch, patch.x);
-    patch.setting.context.progress("smooth", 0.5 + 0.03 * (round + 1));
+    const LbfgsResult result = descent.descend(objective, moved, options);
+    left -= std::max(result.iterations, 5);
+    moved = patch.retract(patch.x, moved);
+    // The tangent spaces are trusted as far as they foretell the energy on the true surface.
+    const double after = patch.energy->evaluate(moved.data(), terms, nullptr).energy;
+    const double foretold = before - result.value, gain = before - after;
+    if (gain > 0.7 * foretold) drift = std::min(0.3 * h, 1.5 * drift);
+    if (gain < 0.3 * foretold) drift *= 0.4;
+    const bool accepted = gain > 0;
+    if (accepted) {
+      patch.x = moved;
+      best.offer(patch);
+    } else {
+      patch.boundary->restore(feet);
+      descent.forget();
+    }
+    patch.setting.context.progress("smooth", 0.5 + 0.3 * (1 - left / 200.0));
     const double floor = patch.energy->hex_count() * HexEnergy::ideal(terms);
-    const bool valid = worst_determinant(patch, terms) > 0;
-    if (valid && (result.converged || before - result.value < 0.01 * (before - floor))) break;
+    if (accepted && worst_determinant(patch, terms) > 0 && gain < (result.converged ? 0.01 : 1e-3) * (before - floor)) break;
   }
   patch.x = best.x();
   patch.boundary->find_feet(patch.x);

@@ -54,13 +54,13 @@ void lift_worst(HexComplex& mesh, SmoothSetting& setting) {
     terms.power = power;
     if (!std::isfinite(patch.energy->evaluate(patch.x.data(), terms, gradient.data()).energy)) break;
     patch.boundary->hold_at_rims(gradient);
-    PatchObjective objective(patch, terms);
+    PatchObjective objective(patch, terms, 0);
     objective.drift_limit = 0.3 * h;
     LbfgsOptions options;
     options.step_limit = 0.1 * h;
     options.floor = patch.energy->hex_count() * HexEnergy::ideal(terms);
     std::vector<double> moved = patch.x;
-    minimise(objective, moved, options, setting.workers);
+    Lbfgs(static_cast<int>(moved.size()), setting.workers).descend(objective, moved, options);
     // Off the tangents some elements may get worse: then go less far.
     std::vector<double> next;
     Grade grade;
