@@ -132,12 +132,11 @@ bool split_by(Regions& regions, const Geometry& geometry, int site, const std::v
   const auto estimate = areas_by_sign(regions.mesh, patch, functions.front());
   if (std::min(estimate[0], estimate[1]) < least_area || std::min(estimate[0], estimate[1]) <= 0) return false;
 
-  Regions result = regions;
-  SurfaceMesh& mesh = result.mesh;
+  SurfaceMesh& mesh = regions.mesh;
   SurfaceCutter cutter(mesh, geometry.projector, kSnap);
   for (int t : patch)
     for (int h = 3 * t; h < 3 * t + 3; ++h)
-      if (result.site[mesh.opposite[h] / 3] != site) {
+      if (regions.site[mesh.opposite[h] / 3] != site) {
         cutter.pin(mesh.from(h));
         cutter.pin(mesh.to(h));
       }
@@ -148,7 +147,7 @@ bool split_by(Regions& regions, const Geometry& geometry, int site, const std::v
     cutter.cut(inside, f, side);
     for (int t = static_cast<int>(cut_off.size()); t < mesh.triangle_count(); ++t) {
       const int parent = cutter.parents()[t - cutter.first_new()];
-      result.site.push_back(result.site[parent]);
+      regions.site.push_back(regions.site[parent]);
       cut_off.push_back(cut_off[parent]);
     }
     next.clear();
@@ -158,12 +157,10 @@ bool split_by(Regions& regions, const Geometry& geometry, int site, const std::v
     }
     inside.swap(next);
   }
-  patch = triangles_of(result, site);
+  patch = triangles_of(regions, site);
   std::vector<char> off(patch.size());
   for (std::size_t i = 0; i < patch.size(); ++i) off[i] = cut_off[patch[i]];
-  if (!number_pieces(result, site, patch, off, {}, least_area)) return false;
-  regions = std::move(result);
-  return true;
+  return number_pieces(regions, site, patch, off, {}, least_area);
 }
 
 double distance_to(const std::vector<Vec3>& chain, const Vec3& p) {

@@ -38,8 +38,9 @@ Regions cut_regions(const SurfaceMesh& mesh, const Geometry& geometry, const Reg
 
 // Splits of one site, for repair. Each edits `regions` in place: the old site keeps its number, new ones get the next
 // numbers; a triangle that is cut keeps its number for one piece and the other pieces are appended, so that triangles away
-// from the cut stay as they are (border halfedges of the site may be renumbered). Each returns false, and leaves `regions`
-// as it was, when a part would be empty or smaller than `least_area` (absolute; a sensible value is 0.02 h^2).
+// from the cut stay as they are (border halfedges of the site may be renumbered). Each returns false, and leaves the sites
+// as they were, when a part would be empty or smaller than `least_area` (absolute; a sensible value is 0.02 h^2); in rare cases
+// the mesh has then gained points all the same.
 
 /// Cut off the strip of points nearer than `width` to the polyline of `halfedges`, a chain of consecutive border halfedges
 /// of `site` (as Partition::Edge::halfedges holds them; for a right part: their opposites in reverse order).
