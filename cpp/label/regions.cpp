@@ -52,8 +52,9 @@ FacePatch measure(const SurfaceMesh& mesh, std::vector<int> triangles) {
 /// The frame of a surface of revolution: e1 is the working axis most perpendicular to the surface's, made orthogonal to it.
 struct RadialFrame {
   Vec3 origin, axis, e1, e2;
+  double on_axis;  ///< squared radius below which a point (a cone's apex) counts as on the axis, where all strips meet
 
-  explicit RadialFrame(const CadFace& face) : origin(face.origin), axis(face.axis.normalized()) {
+  RadialFrame(const CadFace& face, double size) : origin(face.origin), axis(face.axis.normalized()), on_axis(1e-8 * size * size) {
     int k = 0;
     for (int i = 1; i < 3; ++i)
       if (std::abs(axis[i]) < std::abs(axis[k]) - 1e-9) k = i;
@@ -63,7 +64,7 @@ struct RadialFrame {
   /// (r.e1)^2 - (r.e2)^2 of the unit radial direction: its zeros are the borders of the strips centred on +-e1, +-e2.
   double strips(const Vec3& p) const {
     const double x = (p - origin).dot(e1), y = (p - origin).dot(e2), rr = x * x + y * y;
-    return rr > 0 ? (x * x - y * y) / rr : 0;
+    return rr > on_axis ? (x * x - y * y) / rr : 0;
   }
 };
 
@@ -91,7 +92,7 @@ std::vector<CutFunction> cut_functions(const SurfaceMesh& mesh, const FacePatch&
   if (face.kind == SurfaceKind::Plane || patch.spread < options.flat_angle * kDegree) return cuts;
   const bool round = face.axis.norm() > 0.5;
   if (round && (face.kind == SurfaceKind::Cylinder || face.kind == SurfaceKind::Cone || face.kind == SurfaceKind::Torus)) {
-    const RadialFrame frame(face);
+    const RadialFrame frame(face, options.size);
     cuts.push_back({[frame](const Vec3& p, const Vec3&) { return frame.strips(p); }, {}, 0});
     double middle = 0;
     if (face.kind == SurfaceKind::Torus)

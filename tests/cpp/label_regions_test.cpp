@@ -102,6 +102,27 @@ TEST_CASE("a torus has sixteen sites") {
   CHECK(r.site_count() == 16);
 }
 
+TEST_CASE("the four strips of a cone meet at its apex, even one a hair off the axis") {
+  auto solid = round_cylinder(24, 1, 1, 2);
+  RoundSolid cone;
+  cone.faces = solid->faces;
+  cone.faces[0].kind = SurfaceKind::Cone;
+  const int apex = cone.add_point(Vec3(3e-9, -2e-9, 2), 0, 1), middle = cone.add_point(Vec3::Zero(), 2, 2);
+  for (int i = 0; i < 24; ++i) cone.add_point(solid->mesh.points[2 + i], 1, 1);
+  for (int i = 0; i < 24; ++i) {
+    cone.add_triangle(2 + i, 2 + (i + 1) % 24, apex, 1);
+    cone.add_triangle(2 + (i + 1) % 24, 2 + i, middle, 2);
+  }
+  connect(cone.mesh);
+  Context context;
+  const Geometry geometry{&cone.faces, nullptr, nullptr, nullptr};
+  RegionOptions options;
+  options.size = 0.3;
+  const Regions r = cut_regions(cone.mesh, geometry, options, context);
+  check_sites(r);
+  CHECK(r.site_count() == 5);
+}
+
 TEST_CASE("planes stay whole and an uncut mesh comes back as it was") {
   const auto box = voxel_surface(plate_with_hole());
   std::vector<CadFace> faces(*std::max_element(box.mesh.triangle_face.begin(), box.mesh.triangle_face.end()));
