@@ -88,6 +88,21 @@ int CutTree::child(int parent, const SiteCut& cut) {
   return id;
 }
 
+bool CutTree::redundant(int cutting, const std::vector<Label>& labels) const {
+  for (int c = cutting; nodes_[c].parent >= 0; c = nodes_[c].parent) {
+    const int site = nodes_[c].cut.site, first = nodes_[nodes_[c].parent].graph->site_count(), last = nodes_[c].graph->site_count();
+    bool same = true;
+    for (int s = first; s < last && same; ++s) same = labels[s] == labels[site];
+    // Parts that were split again may differ further down.
+    for (int d = cutting; d != c && same; d = nodes_[d].parent) {
+      const int again = nodes_[d].cut.site;
+      same = again != site && (again < first || again >= last);
+    }
+    if (same) return true;
+  }
+  return false;
+}
+
 const Regions& CutTree::regions(int cutting) {
   load(cutting);
   return *nodes_[cutting].regions;

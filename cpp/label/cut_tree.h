@@ -1,6 +1,7 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #pragma once
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "label/macro_graph.h"
@@ -35,6 +36,8 @@ class CutTree {
 
   const MacroGraph& graph(int cutting) const { return *nodes_[cutting].graph; }
   int splits(int cutting) const { return nodes_[cutting].depth; }
+  /// Whether some split of the cutting has the same label on all its parts, so that a state without it says the same.
+  bool redundant(int cutting, const std::vector<Label>& labels) const;
   int size() const { return static_cast<int>(nodes_.size()); }
 
   /// Triangles of a cutting; valid until the next call of a non-const function.

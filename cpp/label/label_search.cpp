@@ -24,6 +24,8 @@ double total_of(const LabelState& s, const CutTree& tree) {
          (s.fill_tried && !s.filled ? kFillWeight : 0);
 }
 
+double useful_key(const LabelState& s) { return s.total - 0.8 * s.score.violations + 2 * s.score.defects + kPutBack * s.phase; }
+
 std::uint64_t hash_of(const LabelState& s) {
   std::uint64_t h = 1469598103934665603ull ^ static_cast<std::uint64_t>(s.cutting);
   for (Label l : s.labels) h = (h ^ static_cast<std::uint64_t>(l)) * 1099511628211ull;
@@ -37,7 +39,7 @@ LabelSearch::LabelSearch(CutTree& tree, const SearchOptions& options, FillSites 
 
 /// Score a state; false when it was seen before.
 bool LabelSearch::evaluate(LabelState& state) {
-  if (!seen_.insert(hash_of(state)).second) return false;
+  if (!seen_.insert(hash_of(state)).second || tree_.redundant(state.cutting, state.labels)) return false;
   const MacroGraph& graph = tree_.graph(state.cutting);
   state.score = scorer_.score(graph, state.labels);
   state.total = total_of(state, tree_);
@@ -51,9 +53,24 @@ void LabelSearch::push(LabelState&& state) {
   if (!have_best_ && (result_.best.labels.empty() || state.score.violations < result_.best.score.violations - 1e-12 ||
                       (state.score.violations < result_.best.score.violations + 1e-12 && state.total < result_.best.total - 1e-12)))
     result_.best = state;
-  const double key = state.total + kPutBack * state.phase;
-  open_.emplace(key, std::move(state));
-  if (open_.size() > kOpen) open_.erase(std::prev(open_.end()));
+  const int id = static_cast<int>(states_.size());
+  open_.emplace(state.total + kPutBack * state.phase, id);
+  open_useful_.emplace(useful_key(state), id);
+  states_.push_back(std::move(state));
+  if (open_.size() > kOpen) {
+    const int worst = std::prev(open_.end())->second;
+    open_.erase(std::prev(open_.end()));
+    open_useful_.erase({useful_key(states_[worst]), worst});
+    states_[worst] = {};
+  }
+}
+
+LabelState LabelSearch::pop() {
+  const int id = (result_.expansions % 2 == 0 ? open_ : open_useful_).begin()->second;
+  LabelState state = std::move(states_[id]);
+  open_.erase({state.total + kPutBack * state.phase, id});
+  open_useful_.erase({useful_key(state), id});
+  return state;
 }
 
 std::vector<Label> LabelSearch::nearest_labels(const MacroGraph& graph) const {
@@ -152,7 +169,8 @@ void LabelSearch::fill(LabelState& state) {
 }
 
 bool LabelSearch::finished() const {
-  return open_.empty() || result_.expansions >= options_.max_expansions || result_.work > options_.max_work || after_best_ > kAfterBest;
+  return open_.empty() || result_.expansions >= options_.max_expansions || result_.work > options_.max_work ||
+         (have_best_ && after_best_ > kAfterBest + kAfterBestDefects * std::max(0.0, result_.best.score.defects - 0.4));
 }
 
 /// Sites in the order in which they are worth changing: the most blamed one, the blamed ones that touch it and each other, then the next
@@ -328,34 +346,25 @@ SearchResult LabelSearch::run() {
   push_starts();
   while (!finished()) {
     context_.check();
-    LabelState state = std::move(open_.begin()->second);
-    open_.erase(open_.begin());
-    if (state.score.valid() && !state.fill_tried) {
+    LabelState state = pop();
+    if (state.score.valid() && !state.fill_tried && (!have_best_ || state.total < result_.best.total - 1e-12)) {
       fill(state);
-      if (state.filled) {
-        keep_best(state);
-        if (result_.best.score.defects < options_.good_defects) break;
-      } else {
-        push(std::move(state));
-        continue;
-      }
+      if (state.filled) keep_best(state);
+      if (have_best_ && result_.best.score.defects < options_.good_defects) break;
+      push(std::move(state));
+      continue;
     }
-    // Nothing that starts so much worse than what fills already is likely to end better.
-    if (have_best_) {
-      if (state.total > result_.best.total + 0.3) break;
-      ++after_best_;
-    }
+    if (have_best_) ++after_best_;
     ++result_.expansions;
     const std::vector<int> order = sites_to_repair(state);
-    // Phases alternate: labels of the first sites, splits of these, labels of the next sites, ...
-    const int slice = state.phase / 2, begin = slice * kSitesPerExpansion;
+    const int begin = state.phase * kSitesPerExpansion;
     const int end = std::min(static_cast<int>(order.size()), begin + kSitesPerExpansion);
     if (begin >= end) continue;
     children_.clear();
-    if (state.phase % 2 == 0)
-      expand_labels(state, order.data() + begin, order.data() + end);
-    else
-      expand_splits(state, order.data() + begin, order.data() + end);
+    expand_labels(state, order.data() + begin, order.data() + end);
+    bool solved = false;
+    for (const LabelState& child : children_) solved = solved || (child.score.valid() && child.score.defects < options_.good_defects);
+    if (!solved) expand_splits(state, order.data() + begin, order.data() + end);
     std::stable_sort(children_.begin(), children_.end(), [](const LabelState& a, const LabelState& b) { return a.total < b.total; });
     if (children_.size() > kChildren) children_.resize(kChildren);
     for (LabelState& child : children_) push(std::move(child));

@@ -1,9 +1,11 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #pragma once
 #include <cstdint>
+#include <deque>
 #include <functional>
-#include <map>
+#include <set>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "base/context.h"
@@ -41,8 +43,8 @@ struct SearchResult {
 
 /// Best-first repair of site labels (experiments A7): starts from the nearest axes and from iterated conditional modes; expands the
 /// sites to blame, one cluster of defects at a time, by relabelling a site, its chart, a site with a neighbour or a CAD face, and by
-/// splitting; a state is put back for its next candidates. Valid states are filled; the first one that fills and has few soft
-/// defects ends the search. Deterministic.
+/// splitting, alternating between the state that is best and the one with the fewest defects; a state is put back for its next candidates.
+/// Valid states are filled; the first one that fills and has few soft defects ends the search. Deterministic.
 class LabelSearch {
  public:
   struct Fill {
@@ -57,6 +59,7 @@ class LabelSearch {
  private:
   bool evaluate(LabelState& state);
   void push(LabelState&& state);
+  LabelState pop();
   void push_starts();
   std::vector<Label> nearest_labels(const MacroGraph& graph) const;
   void iterate_modes(const MacroGraph& graph, std::vector<Label>& labels, double differ) const;
@@ -78,7 +81,10 @@ class LabelSearch {
   SearchResult result_;
   bool have_best_ = false;
   int after_best_ = 0;  // expansions since something filled
-  std::multimap<double, LabelState> open_;
+  // Waiting states in two orders, expanded in turn: by `total`, and with defects dear and violations cheap: a valid
+  // labelling that flattens a pocket is often further from a good one than an invalid one is.
+  std::deque<LabelState> states_;
+  std::set<std::pair<double, int>> open_, open_useful_;
   std::unordered_set<std::uint64_t> seen_;
   std::vector<LabelState> children_;
   std::vector<double> blame_;
