@@ -1,8 +1,11 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <map>
 
 #include "fit/boundary_fit.h"
+#include "fit/untangle2d.h"
 
 namespace hexfeature {
 
@@ -14,6 +17,7 @@ void BoundaryFit::finish() {
   place_nodes();
   assign_faces();
   collect_feature_edges();
+  cover_narrow_faces();
 }
 
 void BoundaryFit::place_nodes() {
@@ -80,6 +84,54 @@ void BoundaryFit::assign_faces() {
       }
       if (face == 0 || !agree) face = mesh.triangle_face[region.map.source[region.map.locate(flatten(region.chart, centre)).triangle]];
       complex.quad_face[q] = face;
+    }
+  }
+}
+
+void BoundaryFit::cover_narrow_faces() {
+  std::vector<char> covered(geometry.faces->size() + 1, 0);
+  for (int f : complex.quad_face) covered[f] = 1;
+  // Halfedges of quads that must keep their face: they lie along a sharp edge of it.
+  std::vector<char> keep(complex.quads.size(), 0);
+  for (std::size_t e = 0; e < complex.feature_edges.size(); ++e) {
+    if (!geometry.edge(complex.feature_edge_cad[e]).sharp) continue;
+    const auto& n = complex.feature_edges[e];
+    for (int g : {net.find(n[0], n[1]), net.find(n[1], n[0])})
+      if (g >= 0) keep[g / 4] = 1;
+  }
+  std::vector<double> share(complex.quads.size(), 0);
+  for (const Region& region : regions) {
+    std::vector<int> faces;
+    for (int t : region.triangles)
+      if (!covered[mesh.triangle_face[t]]) faces.push_back(mesh.triangle_face[t]);
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    if (faces.empty()) continue;
+    // The region's quads by their least corner in the lattice plane.
+    std::map<std::array<int, 2>, int> quad_at;
+    for (int q : region.quads) {
+      Vec2 low = Vec2::Constant(1e300);
+      for (int n : complex.quads[q]) low = low.cwiseMin(flatten(region.chart, lattice[n]));
+      quad_at[{static_cast<int>(std::lround(low.x())), static_cast<int>(std::lround(low.y()))}] = q;
+    }
+    for (int f : faces) {
+      double largest = 0;
+      std::vector<int> touched;
+      for (std::size_t t = 0; t < region.map.triangles.size(); ++t) {
+        if (mesh.triangle_face[region.map.source[t]] != f) continue;
+        const auto& v = region.map.triangles[t];
+        const Vec2 &a = region.map.flat[v[0]], &b = region.map.flat[v[1]], &c = region.map.flat[v[2]];
+        const Vec2 centre = (a + b + c) / 3;
+        const auto at = quad_at.find({static_cast<int>(std::floor(centre.x())), static_cast<int>(std::floor(centre.y()))});
+        if (at == quad_at.end() || keep[at->second]) continue;
+        if (share[at->second] == 0) touched.push_back(at->second);
+        share[at->second] += std::abs(cross2(b - a, c - a));
+        largest = std::max(largest, share[at->second]);
+      }
+      for (int q : touched) {
+        if (share[q] > 0.5 * largest) complex.quad_face[q] = f;
+        share[q] = 0;
+      }
     }
   }
 }
