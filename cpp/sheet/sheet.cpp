@@ -30,6 +30,15 @@ bool shrinks_at_all(const HexTopology& topology, const ShrinkSet& set, const She
   });
 }
 
+// Do charts of the two groups meet? At a sharp edge, as they are two groups: one sheet for both would wrap that edge.
+bool touching(const HexComplex& complex, const HexTopology& topology, const SheetGroup& a, const SheetGroup& b) {
+  const auto in = [](const SheetGroup& g, int chart) { return std::binary_search(g.charts.begin(), g.charts.end(), chart); };
+  return std::any_of(topology.edges.begin(), topology.edges.end(), [&](const HexTopology::Edge& e) {
+    const int c = complex.quad_chart[e.quads[0]], d = complex.quad_chart[e.quads[1]];
+    return (in(a, c) && in(b, d)) || (in(a, d) && in(b, c));
+  });
+}
+
 // A sheet that runs through the solid and comes out where another group is to have one of its own would leave through that
 // group's smooth wall. If all that the other needs shrinks anyway, and the same shrinks for both, one sheet serves both (the two ends
 // of a shaft with a shoulder; not a boss and the disc it stands on).
@@ -41,9 +50,12 @@ SheetGroup join_groups(const HexComplex& complex, const SheetGroup& first, const
   for (const SheetGroup& other : groups) {
     if (!set.refusal.empty()) break;
     if (other.floor_chart >= 0 || same_sheet(other, first) || !shrinks_at_all(topology, set, other)) continue;
+    if (touching(complex, topology, joined, other)) continue;
     const SheetGroup both = united(joined, other);
     ShrinkSet larger = choose_shrink_set(complex, topology, both, options, context);
     if (!larger.refusal.empty() || larger.inside != set.inside) continue;
+    for (int c : other.charts) set.covered[c] = 1;
+    if (larger.covered != set.covered) continue;
     joined = both;
     set = std::move(larger);
   }
