@@ -227,6 +227,20 @@ CadPlace place_of_vertex(int vertex, int halfedge_nearby, const SurfaceMesh& mes
     soft = true;
     for (int e : geometry.vertex(place.entity).edges) soft = soft && (geometry.edge(e).seam || geometry.edge(e).degenerate);
   }
+  // One where a closed curve begins and a seam ends is none either: the node may slide along the curve.
+  if (place.dim == 0 && !soft && !geometry.vertex(place.entity).hard) {
+    int curve = 0, curves = 0;
+    for (int e : geometry.vertex(place.entity).edges) {
+      if (geometry.edge(e).seam || geometry.edge(e).degenerate || e == curve) continue;
+      curve = e;
+      ++curves;
+    }
+    if (curves == 1 && geometry.edge(curve).vertices[0] == geometry.edge(curve).vertices[1]) {
+      const CurvePoint c = geometry.projector->project_to_edge(curve, point, &geometry.edge(curve).t0);
+      point = c.point;
+      return {1, curve, Vec2(c.t, 0)};
+    }
+  }
   if (on_seam || soft) {
     const int face = mesh.triangle_face[halfedge_nearby / 3];
     const FacePoint f = geometry.projector->project_to_face(face, point, nullptr);
