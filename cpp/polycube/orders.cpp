@@ -109,15 +109,24 @@ AxisRays sample_axis_rays(const SurfaceMesh& mesh, int count, Context& context) 
   Random random(1);
   std::vector<RayHit> hits;
   int done = 0;
-  systematic(all, count, [&](int t) { return mesh.area(t) / total + 1.0 / triangles; }, [&](int t) {
+  const auto weight = [&](int t) { return mesh.area(t) / total + 1.0 / triangles; };  // all together 2
+  const auto cosine = [&](int t, int axis) { return std::abs(mesh.area_normal(t).normalized()[axis]); };
+  systematic(all, count, weight, [&](int t) {
     if (++done % 256 == 0) context.check();
-    const Vec3 p = random_point(mesh, t, random), normal = mesh.area_normal(t).normalized();
+    const Vec3 p = random_point(mesh, t, random);
+    const double area = 2 * mesh.area(t) / (count * weight(t));  // of the surface that this sample stands for
     for (int axis = 0; axis < 3; ++axis) {
-      if (std::abs(normal[axis]) < 0.5) continue;
+      if (cosine(t, axis) < 0.5) continue;
       tree.ray_hits(p, Vec3::Unit(axis), hits, -std::numeric_limits<double>::infinity());
-      for (std::size_t i = 0; i + 1 < hits.size(); ++i)
-        if (hits[i].entering != hits[i + 1].entering)
-          rays.crossings.push_back({hits[i].triangle, hits[i + 1].triangle, axis, hits[i + 1].t - hits[i].t, hits[i].entering});
+      for (std::size_t i = 0; i + 1 < hits.size(); ++i) {
+        const RayHit &low = hits[i], &high = hits[i + 1];
+        if (low.entering == high.entering) continue;
+        AxisRays::Crossing c{low.triangle, high.triangle, axis, 0, 0, low.entering};
+        c.gap = (high.t - low.t) * 0.5 * (cosine(low.triangle, axis) + cosine(high.triangle, axis));
+        // Only the solid behind the sample itself stands for its area, and that column is sampled from its other end too.
+        if (c.solid && (c.low == t || c.high == t)) c.area = 0.5 * area * cosine(t, axis);
+        rays.crossings.push_back(c);
+      }
     }
   });
   return rays;
@@ -132,13 +141,14 @@ std::vector<ChartOrder> chart_orders(const SurfaceMesh& mesh, const FeatureShape
     const int low = chart_of[c.low], high = chart_of[c.high];
     // Through solid a line goes in at a chart that looks down the axis and out at one that looks up; through air the reverse.
     if (label(low) == make_label(c.axis, c.solid ? -1 : 1) && label(high) == make_label(c.axis, c.solid ? 1 : -1))
-      orders.push_back({low, high, c.gap, 1, false});
+      orders.push_back({low, high, c.gap, 1, c.area / (size * size)});
   }
   Random random(2);
   for (int chart = 0; chart < shape.chart_count(); ++chart) {
     context.check();
     const int own = axis_of(label(chart));
-    const int count = static_cast<int>(std::min(40.0, 8 + shape.charts[chart].area / (size * size)));
+    const double area = shape.charts[chart].area;
+    const int count = static_cast<int>(std::min(40.0, 8 + area / (size * size)));
     systematic(shape.cells.parts[chart].triangles, count, [&](int t) { return mesh.area(t); }, [&](int t) {
       const Vec3 p = random_point(mesh, t, random);
       for (int axis = 0; axis < 3; ++axis) {
@@ -146,20 +156,25 @@ std::vector<ChartOrder> chart_orders(const SurfaceMesh& mesh, const FeatureShape
         const Walk walk = walk_chart(mesh, chart_of, t, p, axis, third_axis(axis, own));
         if (walk.low < 0 || walk.high < 0 || walk.low == walk.high) continue;
         if (axis_of(label(walk.low)) == axis && axis_of(label(walk.high)) == axis)
-          orders.push_back({walk.low, walk.high, walk.length, 1, true});
+          orders.push_back({walk.low, walk.high, walk.length, 1, area / count / std::max(walk.length, size) / size});
       }
     });
   }
   std::sort(orders.begin(), orders.end(), [](const ChartOrder& a, const ChartOrder& b) {
-    return std::tie(a.low, a.high, a.gap, a.in_chart) < std::tie(b.low, b.high, b.gap, b.in_chart);
+    return std::tie(a.low, a.high, a.gap, a.lines) < std::tie(b.low, b.high, b.gap, b.lines);
   });
-  // One order a pair of charts, with the median distance.
+  // One order a pair of charts.
   std::size_t kept = 0;
   for (std::size_t i = 0; i < orders.size();) {
-    std::size_t j = i;
-    bool in_chart = false;
-    for (; j < orders.size() && orders[j].low == orders[i].low && orders[j].high == orders[i].high; ++j) in_chart |= orders[j].in_chart;
-    orders[kept++] = {orders[i].low, orders[i].high, orders[(i + j) / 2].gap, static_cast<int>(j - i), in_chart};
+    std::size_t j = i, median = i;
+    ChartOrder order{orders[i].low, orders[i].high, 0, 0, 0};
+    for (; j < orders.size() && orders[j].low == order.low && orders[j].high == order.high; ++j) order.lines += orders[j].lines;
+    order.count = static_cast<int>(j - i);
+    // Air weighs nothing by itself, but a little when there is nothing else.
+    const double least = 1e-6, half = 0.5 * (order.lines + least * order.count);
+    for (double sum = orders[i].lines + least; sum < half && median + 1 < j; sum += orders[median].lines + least) ++median;
+    order.gap = orders[median].gap;
+    orders[kept++] = order;
     i = j;
   }
   orders.resize(kept);
@@ -176,7 +191,7 @@ std::vector<ChartOrder> position_orders(const FeatureShape& shape, double tolera
     std::stable_sort(charts.begin(), charts.end(), [&](int a, int b) { return position(a) < position(b); });
     for (std::size_t i = 0, j = 0; i < charts.size(); ++i) {
       while (j < charts.size() && position(charts[j]) - position(charts[i]) < tolerance) ++j;
-      if (j < charts.size()) orders.push_back({charts[i], charts[j], position(charts[j]) - position(charts[i]), 1, false});
+      if (j < charts.size()) orders.push_back({charts[i], charts[j], position(charts[j]) - position(charts[i]), 1, 0});
     }
   }
   return orders;

@@ -14,7 +14,8 @@ struct AxisRays {
   struct Crossing {
     int low = -1, high = -1;  ///< triangles; `high` follows `low` along +axis
     int axis = 0;
-    double gap = 0;      ///< distance
+    double gap = 0;      ///< distance; less when the line meets the surface aslant (times the mean cosine): a slab's thickness
+    double area = 0;     ///< cross-section of the part that this crossing stands for; 0 through air
     bool solid = false;  ///< through the part, else through air
   };
   std::vector<Crossing> crossings;
@@ -24,12 +25,12 @@ struct AxisRays {
 /// features get their share. Fixed sequence: the same mesh gives the same rays.
 AxisRays sample_axis_rays(const SurfaceMesh& mesh, int count, Context& context);
 
-/// The part says that chart `low` lies below chart `high` on their common axis, with this mean distance.
+/// The part says that chart `low` lies below chart `high` on their common axis, at this distance.
 struct ChartOrder {
   int low = -1, high = -1;
-  double gap = 0;
-  int count = 0;         ///< samples that said so
-  bool in_chart = false;  ///< some of them were walks inside a chart, not rays
+  double gap = 0;    ///< weighted median
+  int count = 0;     ///< samples that said so
+  double lines = 0;  ///< how many lines of elements run between the two: cross-section / h^2 inside, width / h on a chart
 };
 
 /// Orders between the charts of a feature shape (experiments A8): from rays between opposite labels, and from walks over a

@@ -13,7 +13,9 @@ namespace hexfeature {
 namespace {
 
 // Costs are relative to one interval too many or too few on an arc.
-constexpr double kGapCost = 0.2;            // a ray's gap off by one interval
+constexpr double kGapCost = 0.2;            // a distance that samples saw off by one interval, per order ...
+constexpr double kLineCost = 0.2;           // ... and per line of elements that runs there, at most ...
+constexpr double kLineCostMost = 8;         // ... this much: large plates must not outweigh orders
 constexpr double kOrderCost = 20;           // an order violated by one interval, one sample ...
 constexpr double kOrderCostMany = 70;       // ... or many
 constexpr double kSeparationCost = 1000;    // above anything else: the fill has shown that it is needed
@@ -170,8 +172,9 @@ Polycube quantize(const SurfaceMesh& mesh, const FeatureShape& shape, const std:
     const int from = classes.of_chart[order.low], to = classes.of_chart[order.high];
     if (from == to) continue;
     const double cost = kOrderCost + (kOrderCostMany - kOrderCost) * std::min(1.0, order.count / 8.0);
+    const double lines = kLineCost * order.lines, gap_cost = kGapCost * std::min(1.0, order.count / 4.0) + lines / (1 + lines / kLineCostMost);
     list.push_back({from, to, 1, std::llround(kTermScale * cost)});
-    add_convex_terms(list, from, to, target(order.gap), kGapCost * std::min(1.0, order.count / 4.0), 0, 1);
+    add_convex_terms(list, from, to, target(order.gap), gap_cost, 0, 1);
   }
   for (const auto& s : separations)
     terms[axis(s.low)].list.push_back(
