@@ -20,6 +20,7 @@ std::vector<PolygonSide> polygon_sides(const FeatureShape& shape, const Polycube
       side.lo = std::min(p[side.along], q[side.along]);
       side.hi = std::max(p[side.along], q[side.along]);
       side.chart = shape.cells.right_of(dart);
+      side.arc = dart / 2;
       sides.push_back(side);
     }
   return sides;
@@ -155,9 +156,9 @@ Raster rasterise(const FeatureShape& shape, const Polycube& polycube, Context& c
   return raster;
 }
 
-int chart_beside(const FeatureShape& shape, const Raster& raster, int chart, const std::array<int, 3>& at, int axis, int direction) {
+Bound bound_beside(const FeatureShape& shape, const Raster& raster, int chart, const std::array<int, 3>& at, int axis, int direction) {
   const int own = axis_of(shape.charts[chart].label);
-  if (axis == own) return chart;
+  if (axis == own) return {chart, shape.charts[chart].centroid[axis]};
   const int row = at[third_axis(axis, own)], position = at[axis];
   const PolygonSide* best = nullptr;
   for (const auto& s : raster.sides[chart]) {
@@ -165,7 +166,8 @@ int chart_beside(const FeatureShape& shape, const Raster& raster, int chart, con
     if (direction > 0 ? s.at <= position : s.at > position) continue;
     if (!best || (direction > 0 ? s.at < best->at : s.at > best->at)) best = &s;
   }
-  return best ? best->chart : -1;
+  if (!best) return {};
+  return {best->chart, shape.arcs[best->arc].centroid[axis]};
 }
 
 }  // namespace hexfeature

@@ -17,6 +17,7 @@ struct PolygonSide {
   int lo = 0, hi = 0; ///< its extent
   int direction = 1;  ///< +1: from lo to hi with the chart on its left, seen from outside the solid
   int chart = -1;     ///< the chart across
+  int arc = -1;
 };
 
 /// A unit square of a chart, at position `cell` (cell[c] is the chart's coordinate, the others are its lower corner).
@@ -69,8 +70,13 @@ struct Raster {
 /// chart on its left only.
 Raster rasterise(const FeatureShape& shape, const Polycube& polycube, Context& context);
 
+/// The chart that bounds another one at a place, and where on the part: the position along the axis of the arc between them.
+struct Bound {
+  int chart = -1;
+  double position = 0;
+};
 /// The chart across the nearest side of `chart`'s polygon from place `at`, looking along +axis (direction +1) or -axis; the
-/// chart itself on its own axis; -1 when there is none.
-int chart_beside(const FeatureShape& shape, const Raster& raster, int chart, const std::array<int, 3>& at, int axis, int direction);
+/// chart itself on its own axis; chart -1 when there is none.
+Bound bound_beside(const FeatureShape& shape, const Raster& raster, int chart, const std::array<int, 3>& at, int axis, int direction);
 
 }  // namespace hexfeature

@@ -20,14 +20,15 @@ Candidate best_separation(const FeatureShape& shape, const Polycube& polycube, c
   for (int axis = 0; axis < 3; ++axis)
     for (int order = 0; order < 2; ++order) {
       const int below = order == 0 ? clash.first : clash.second, above = order == 0 ? clash.second : clash.first;
-      const int low = chart_beside(shape, raster, below, clash.at, axis, 1), high = chart_beside(shape, raster, above, clash.at, axis, -1);
+      const Bound low_bound = bound_beside(shape, raster, below, clash.at, axis, 1), high_bound = bound_beside(shape, raster, above, clash.at, axis, -1);
+      const int low = low_bound.chart, high = high_bound.chart;
       if (low < 0 || high < 0 || low == high) continue;
       if (axis_of(shape.charts[low].label) != axis || axis_of(shape.charts[high].label) != axis) continue;
       if (polycube.coordinate[high] > polycube.coordinate[low] || !forced.allows(low, high)) continue;
       if (std::binary_search(tried.begin(), tried.end(), Separation{low, high, 1}) ||
           std::binary_search(tried.begin(), tried.end(), Separation{high, low, 1}))
         continue;
-      const double apart = shape.charts[high].centroid[axis] - shape.charts[low].centroid[axis];
+      const double apart = high_bound.position - low_bound.position;
       if (apart > best.apart) best = {{low, high, 1}, apart};
     }
   return best;

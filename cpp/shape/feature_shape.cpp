@@ -33,9 +33,13 @@ FeatureShape make_feature_shape(const LabelledSurface& surface) {
     for (int h : edge.halfedges) {
       const double length = (mesh.points[mesh.to(h)] - mesh.points[mesh.from(h)]).norm();
       arc.length += length;
+      arc.centroid += 0.5 * length * (mesh.points[mesh.to(h)] + mesh.points[mesh.from(h)]);
       dihedral += length * mesh.dihedral(h);
     }
-    if (arc.length > 0) arc.dihedral = dihedral / arc.length;
+    if (arc.length > 0) {
+      arc.dihedral = dihedral / arc.length;
+      arc.centroid /= arc.length;
+    }
     arc.displacement = mesh.points[edge.vertices.back()] - mesh.points[edge.vertices.front()];
     const int a = axis_of(shape.charts[edge.left].label), b = axis_of(shape.charts[edge.right].label);
     if (a != b) {

@@ -32,6 +32,7 @@ struct FeatureShape {
     int sign = 0;       ///< +1: start -> end runs along +axis; -1 against; from geometry, corrected by validity
     double length = 0;  ///< of the polyline
     Vec3 displacement = Vec3::Zero();  ///< end - start
+    Vec3 centroid = Vec3::Zero();      ///< of the polyline
     double dihedral = 0;               ///< length-weighted mean signed dihedral (SurfaceMesh::dihedral)
   };
   Partition cells;
