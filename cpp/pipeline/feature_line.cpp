@@ -2,6 +2,7 @@
 #include "pipeline/feature_line.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "fit/fit.h"
@@ -81,6 +82,59 @@ HexComplex smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shap
   return complex;
 }
 
+/// CAD edges that run inside a chart, are followed by a chain of mesh edges, and touch an inverted element or a neighbour of one:
+/// letting them go is what may make it valid. Tangent ones first: a mesh loses less without them. Sorted.
+std::vector<int> edges_to_release(const HexComplex& complex, const Geometry& geometry) {
+  std::vector<char> near(complex.points.size(), 0);
+  for (const auto& hex : complex.hexes)
+    if (!(scaled_jacobian(complex.points, hex) > 0))
+      for (int v : hex) near[v] = 1;
+  std::vector<char> ring = near;
+  for (const auto& hex : complex.hexes)
+    if (std::any_of(hex.begin(), hex.end(), [&](int v) { return near[v] != 0; }))
+      for (int v : hex) ring[v] = 1;
+  // Charts on the two sides of each feature edge: inside a chart when they are the same.
+  std::map<std::array<int, 2>, std::set<int>> charts;
+  for (const auto& e : complex.feature_edges) charts[e];
+  for (std::size_t q = 0; q < complex.quads.size(); ++q)
+    for (int k = 0; k < 4; ++k) {
+      const int a = complex.quads[q][k], b = complex.quads[q][(k + 1) % 4];
+      const auto it = charts.find({std::min(a, b), std::max(a, b)});
+      if (it != charts.end()) it->second.insert(complex.quad_chart[q]);
+    }
+  std::set<int> tangent, sharp;
+  for (std::size_t i = 0; i < complex.feature_edges.size(); ++i) {
+    const auto& e = complex.feature_edges[i];
+    if (charts[e].size() != 1 || !(ring[e[0]] || ring[e[1]])) continue;
+    const int cad = complex.feature_edge_cad[i];
+    (geometry.edge(cad).sharp ? sharp : tangent).insert(cad);
+  }
+  const std::set<int>& first = tangent.empty() ? sharp : tangent;
+  return {first.begin(), first.end()};
+}
+
+/// Boundary fitting, sheets and smoothing; where elements stay inverted, again without the inner CAD edges beside them.
+HexComplex fit_and_smooth(const HexComplex& lattice, const SurfaceMesh& mesh, const FeatureShape& shape, const Geometry& geometry, Run& run) {
+  constexpr int kRounds = 6;
+  FitOptions fit;
+  fit.size = run.options.size;
+  fit.smooth_edges = run.options.capture == "all";
+  for (int round = 1;; ++round) {
+    run.begin("fit");
+    HexComplex complex = lattice;
+    fit_boundary(complex, mesh, shape, geometry, fit, run.context);
+    run.result.mesh = complex;
+    run.complete();
+    complex = smooth_with_sheets(complex, shape, geometry, run);
+    if (run.result.smoothing.inverted == 0 || round == kRounds) return complex;
+    std::vector<int> released = fit.released;
+    for (int e : edges_to_release(complex, geometry)) released.push_back(e);
+    if (released.size() == fit.released.size()) return complex;
+    std::sort(released.begin(), released.end());
+    fit.released = std::move(released);
+  }
+}
+
 }  // namespace
 
 HexComplex feature_line(const SurfaceMesh& surface, const Geometry& geometry, int solid, Run& run) {
@@ -104,15 +158,7 @@ HexComplex feature_line(const SurfaceMesh& surface, const Geometry& geometry, in
   std::fill(lattice.complex.hex_solid.begin(), lattice.complex.hex_solid.end(), solid);
   run.complete();
 
-  run.begin("fit");
-  FitOptions fit;
-  fit.size = run.options.size;
-  fit.smooth_edges = run.options.capture == "all";
-  fit_boundary(lattice.complex, mesh, shape, geometry, fit, run.context);
-  result.mesh = lattice.complex;
-  run.complete();
-
-  HexComplex complex = smooth_with_sheets(lattice.complex, shape, geometry, run);
+  HexComplex complex = fit_and_smooth(lattice.complex, mesh, shape, geometry, run);
   result.mesh = complex;
   run.complete();
 
