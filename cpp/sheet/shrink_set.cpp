@@ -11,7 +11,7 @@
 namespace hexfeature {
 namespace {
 
-constexpr long long kInnerCost = 100, kCoveredCost = 5;
+constexpr long long kInnerCost = 100, kCoveredCost = 5, kBadExitCost = 3000;
 constexpr int kConflictRounds = 6;
 
 // Blocks numbered 0.. in the order of their ids; each hexahedron its own block when the complex has none.
@@ -112,40 +112,41 @@ class Chooser {
   }
 
   void cut(const Terminals& t, ShrinkSet& set) const {
-    struct Link {
-      std::array<int, 2> ends;
-      long long cost;
-    };
     const int source = block_count_, sink = block_count_ + 1;
     const long long infinite = kInnerCost * (static_cast<long long>(topology_.neighbour.size()) + 1);
-    std::vector<Link> links;
+    std::vector<CutArc> links;
     for (int s = 0; s < static_cast<int>(topology_.neighbour.size()); ++s) {
       const int other = topology_.neighbour[s], b = block_[s / 6];
       if (other > s && block_[other / 6] != b) {
-        const int c = block_[other / 6];
-        links.push_back({{std::min(b, c), std::max(b, c)}, kInnerCost});
+        links.push_back({b, block_[other / 6], kInnerCost});
+        links.push_back({block_[other / 6], b, kInnerCost});
       } else if (other < 0 && covered(-1 - other)) {
-        links.push_back({{b, sink}, kCoveredCost});
+        links.push_back({b, sink, kCoveredCost});
       }
     }
+    for (const auto& e : topology_.edges) discourage_bad_exit(e, links);
     for (int b = 0; b < block_count_; ++b) {
-      if (t.source[b]) links.push_back({{b, source}, infinite});
-      if (t.sink[b]) links.push_back({{b, sink}, infinite});
+      if (t.source[b]) links.push_back({source, b, infinite});
+      if (t.sink[b]) links.push_back({b, sink, infinite});
     }
-    std::sort(links.begin(), links.end(), [](const Link& x, const Link& y) { return x.ends < y.ends; });
-    std::vector<std::array<int, 2>> ends;
-    std::vector<long long> capacity;
-    for (const Link& l : links)
-      if (!ends.empty() && ends.back() == l.ends) {
-        capacity.back() += l.cost;
-      } else {
-        ends.push_back(l.ends);
-        capacity.push_back(l.cost);
-      }
-    const std::vector<char> side = largest_minimum_cut(block_count_ + 2, ends, capacity, source, sink);
+    const std::vector<char> side = largest_minimum_cut(block_count_ + 2, std::move(links), source, sink);
     set.inside.resize(block_.size());
     for (std::size_t h = 0; h < block_.size(); ++h) set.inside[h] = side[block_[h]];
     set.covered = covered_;
+  }
+
+  // A sheet that leaves at a concave edge between two free faces should do so on one of these two faces with one hexahedron of the
+  // shrink set below it, as the sheet's own hexahedron takes that one's place. With a middle one inside and an end one outside, too
+  // few hexahedra are left for the angle, and where the edge turns a corner of the lattice smoothly one of them is flat.
+  void discourage_bad_exit(const HexTopology::Edge& e, std::vector<CutArc>& links) const {
+    if (e.count < 3 || covered(e.quads[0]) || covered(e.quads[1])) return;
+    const int ends[2] = {topology_.hex_of_quad(e.quads[0]), topology_.hex_of_quad(e.quads[1])};
+    for (int i = 0; i < e.count; ++i) {
+      const int h = topology_.edge_hexes[e.first + i];
+      if (h == ends[0] || h == ends[1]) continue;
+      for (int end : ends)
+        if (block_[end] != block_[h]) links.push_back({block_[h], block_[end], kBadExitCost});
+    }
   }
 
   const HexComplex& complex_;
@@ -159,17 +160,20 @@ class Chooser {
 
 }  // namespace
 
-std::vector<char> largest_minimum_cut(int node_count, const std::vector<std::array<int, 2>>& edge_ends,
-                                      const std::vector<long long>& capacity, int source, int sink) {
+std::vector<char> largest_minimum_cut(int node_count, std::vector<CutArc> arcs, int source, int sink) {
+  std::sort(arcs.begin(), arcs.end(), [](const CutArc& x, const CutArc& y) { return x.from != y.from ? x.from < y.from : x.to < y.to; });
   using Graph = lemon::SmartDigraph;
   Graph graph;
   graph.reserveNode(node_count);
-  graph.reserveArc(2 * static_cast<int>(edge_ends.size()));
   for (int i = 0; i < node_count; ++i) graph.addNode();
   Graph::ArcMap<long long> room(graph);
-  for (std::size_t e = 0; e < edge_ends.size(); ++e)
-    for (int way = 0; way < 2; ++way)
-      room[graph.addArc(Graph::nodeFromId(edge_ends[e][way]), Graph::nodeFromId(edge_ends[e][1 - way]))] = capacity[e];
+  for (std::size_t i = 0; i < arcs.size();) {
+    long long sum = 0;
+    std::size_t j = i;
+    for (; j < arcs.size() && arcs[j].from == arcs[i].from && arcs[j].to == arcs[i].to; ++j) sum += arcs[j].capacity;
+    room[graph.addArc(Graph::nodeFromId(arcs[i].from), Graph::nodeFromId(arcs[i].to))] = sum;
+    i = j;
+  }
   lemon::Preflow<Graph, Graph::ArcMap<long long>> preflow(graph, room, Graph::nodeFromId(source), Graph::nodeFromId(sink));
   preflow.run();
   // The largest source side: all but the nodes from which the sink can still be reached.

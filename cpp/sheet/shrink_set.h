@@ -19,14 +19,18 @@ struct ShrinkSet {
 /// border with a free chart, three or more hexahedra round it, or two and nearly flat) the free face's block is sink and the
 /// blocks under the foot are source, so that the sheet goes on straight into the solid instead of closing under the wall like
 /// a cup. A block wanted on both sides: the free charts concerned join the group, and again. Costs per lattice face: between blocks 100,
-/// covered 5, leaving through a free one 0. Of all minimum cuts the one with the largest set. Deterministic.
+/// covered 5, leaving through a free one 0; leaving at a concave edge so that too few hexahedra stay there, 3000 per edge. Of all minimum
+/// cuts the one with the largest set. Deterministic.
 ShrinkSet choose_shrink_set(const HexComplex& complex, const HexTopology& topology, const SheetGroup& group, const SheetOptions& options,
                             Context& context);
 
-/// Largest source side of all minimum cuts of an undirected graph with a source and a sink, by maximum flow (push-relabel).
-/// `edge_ends`: per edge two nodes; `capacity` likewise. Returns per node: on the source's side.
-std::vector<char> largest_minimum_cut(int node_count, const std::vector<std::array<int, 2>>& edge_ends,
-                                      const std::vector<long long>& capacity, int source, int sink);
+struct CutArc {
+  int from, to;
+  long long capacity;  ///< paid when `from` is on the source's side and `to` is not
+};
+/// Largest source side of all minimum cuts between a source and a sink, by maximum flow (push-relabel). Returns per node: on the
+/// source's side.
+std::vector<char> largest_minimum_cut(int node_count, std::vector<CutArc> arcs, int source, int sink);
 
 /// Fill the gap between `set` and the rest with one hexahedron per face of the sheet (experiments B3). Returns an empty string, or why the
 /// local rules forbid it; then `complex` is as it was.

@@ -60,9 +60,16 @@ TEST_CASE("angles in the solid: 90 at a box edge, 270 in a pocket, 180 on a cyli
 
 TEST_CASE("largest minimum cut") {
   // 0 -5- 1 -5- 2 -5- 3: three cuts of the same cost; the largest set leaves only the sink.
-  const auto in = largest_minimum_cut(4, {{0, 1}, {1, 2}, {2, 3}}, {5, 5, 5}, 0, 3);
-  CHECK(in == std::vector<char>{1, 1, 1, 0});
-  CHECK(largest_minimum_cut(4, {{0, 1}, {1, 2}, {2, 3}}, {5, 2, 5}, 0, 3) == std::vector<char>{1, 1, 0, 0});
+  const auto chain = [](std::array<long long, 3> c) {
+    std::vector<CutArc> arcs;
+    for (int i = 0; i < 3; ++i) {
+      arcs.push_back({i, i + 1, c[i]});
+      arcs.push_back({i + 1, i, c[i]});
+    }
+    return largest_minimum_cut(4, arcs, 0, 3);
+  };
+  CHECK(chain({5, 5, 5}) == std::vector<char>{1, 1, 1, 0});
+  CHECK(chain({5, 2, 5}) == std::vector<char>{1, 1, 0, 0});
 }
 
 TEST_CASE("nothing round, no sheet") {
