@@ -2,6 +2,7 @@
 #include "lattice/lattice.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "lattice/raster.h"
 #include "lattice/separate.h"
@@ -355,7 +356,7 @@ constexpr int kMostRounds = 25;
 
 /// Solve, fill, separate what collides, again.
 Lattice fill_with_separation(const SurfaceMesh& mesh, const FeatureShape& shape, const std::vector<ChartOrder>& orders,
-                             const QuantizeOptions& options, Context& context) {
+                             const QuantizeOptions& options, bool one_a_round, Context& context) {
   Lattice lattice;
   std::vector<Separation> separations;  // sorted
   for (int round = 1; round <= kMostRounds; ++round) {
@@ -364,8 +365,8 @@ Lattice fill_with_separation(const SurfaceMesh& mesh, const FeatureShape& shape,
     lattice.report.size = options.size;
     const auto& more = lattice.report.separations;
     if (lattice.report.ok || more.empty()) break;
-    const auto middle = separations.insert(separations.end(), more.begin(), more.end());
-    std::inplace_merge(separations.begin(), middle, separations.end());
+    separations.insert(separations.end(), more.begin(), one_a_round ? more.begin() + 1 : more.end());
+    std::sort(separations.begin(), separations.end());
   }
   return lattice;
 }
@@ -389,14 +390,15 @@ Lattice build_lattice(const SurfaceMesh& mesh, const FeatureShape& shape, const 
     auto all_orders = orders;
     const auto by_position = position_orders(shape, 0.02 * options.size);
     all_orders.insert(all_orders.end(), by_position.begin(), by_position.end());
-    for (const double factor : {1.0, 0.7, 0.5})
-      for (const auto* kept : {&orders, &all_orders}) {
-        QuantizeOptions finer = options;
-        finer.size = factor * options.size;
-        Lattice lattice = fill_with_separation(mesh, shape, *kept, finer, context);
+    for (const double factor : {1.0, 0.7, 0.5}) {
+      QuantizeOptions finer = options;
+      finer.size = factor * options.size;
+      for (const auto& [kept, one_a_round] : {std::make_pair(&orders, false), std::make_pair(&orders, true), std::make_pair(&all_orders, false)}) {
+        Lattice lattice = fill_with_separation(mesh, shape, *kept, finer, one_a_round, context);
         if (lattice.report.ok) return lattice;
         if (first.report.reason.empty()) first = std::move(lattice);
       }
+    }
   } catch (const PolycubeError& error) {
     first.report.reason = error.reason;
     first.report.charts = error.charts;

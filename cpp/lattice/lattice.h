@@ -15,7 +15,7 @@ struct FillReport {
   bool ok = false;
   std::string reason;
   std::vector<int> charts;              ///< to blame, sorted
-  std::vector<Separation> separations;  ///< suggested order constraints
+  std::vector<Separation> separations;  ///< suggested order constraints, best shown by the part first
   int rounds = 0;                       ///< build_lattice: solve-and-fill rounds that were needed
   double size = 0;                      ///< build_lattice: the element size that was used in the end
 };
@@ -34,8 +34,8 @@ struct Lattice {
 Lattice fill_lattice(const FeatureShape& shape, const Polycube& polycube, int solid, Context& context,
                      const std::vector<Separation>& tried = {});
 
-/// quantize + fill with lazy separation: solve, fill, separate what collides, again (<= 25 rounds); then with the charts'
-/// positions as orders; then both with 0.7 h and 0.5 h. Never throws for a failed fill: the report says why.
+/// quantize + fill with lazy separation: solve, fill, separate what collides, again (<= 25 rounds); should that lead nowhere,
+/// anew with one separation a round; then with the charts' positions as orders; then the same with 0.7 h and 0.5 h. Never throws for a failed fill: the report says why.
 Lattice build_lattice(const SurfaceMesh& mesh, const FeatureShape& shape, const QuantizeOptions& options, Context& context);
 /// The same with rays sampled before: for a caller that tries many labels on one mesh.
 Lattice build_lattice(const SurfaceMesh& mesh, const FeatureShape& shape, const AxisRays& rays, const QuantizeOptions& options,

@@ -28,7 +28,8 @@ Candidate best_separation(const FeatureShape& shape, const Polycube& polycube, c
       if (std::binary_search(tried.begin(), tried.end(), Separation{low, high, 1}) ||
           std::binary_search(tried.begin(), tried.end(), Separation{high, low, 1}))
         continue;
-      const double apart = high_bound.position - low_bound.position;
+      // The arcs say where the charts pass, the centroids keep off arcs that bound the clash in the lattice but lie far from it.
+      const double apart = high_bound.position - low_bound.position + 0.5 * (shape.charts[high].centroid[axis] - shape.charts[low].centroid[axis]);
       if (apart > best.apart) best = {{low, high, 1}, apart};
     }
   return best;
@@ -71,7 +72,6 @@ std::vector<Separation> separations_for(const FeatureShape& shape, const Polycub
     const Separation& s = c.separation;
     if (!known(s) && !known({s.high, s.low, s.gap})) result.push_back(s);
   }
-  std::sort(result.begin(), result.end());
   return result;
 }
 

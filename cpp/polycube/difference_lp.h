@@ -1,6 +1,7 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace hexfeature {
@@ -28,10 +29,10 @@ DifferenceSolution solve_differences(int unknowns, const std::vector<DifferenceT
 /// The sum of soft terms at x (hard terms not counted), to check optimality.
 std::int64_t difference_cost(const std::vector<DifferenceTerm>& terms, const std::vector<int>& x);
 
-/// Add the terms of the convex cost weight * (|d - target| + curvature * (d - target)^2 / max(1, target)), d = x[to] - x[from],
-/// linearly interpolated between integers (so that fractional targets keep an integer optimum) and linear far from the target.
-/// Only d >= minimum matters. Weights are rounded to kTermScale-ths.
-void add_convex_terms(std::vector<DifferenceTerm>& terms, int from, int to, double target, double weight, double curvature, int minimum);
+/// Add the terms of a convex cost(d), d = x[to] - x[from], linearly interpolated between integers (so that fractional targets
+/// keep an integer optimum) and linear far from `target`, where its minimum lies. Only d >= minimum matters; cost is asked for
+/// d >= minimum. Slopes are rounded to kTermScale-ths.
+void add_convex_terms(std::vector<DifferenceTerm>& terms, int from, int to, double target, int minimum, const std::function<double(int)>& cost);
 constexpr double kTermScale = 1000;
 
 }  // namespace hexfeature

@@ -13,6 +13,7 @@ namespace hexfeature {
 namespace {
 
 // Costs are relative to one interval too many or too few on an arc.
+constexpr double kShortCost = 0.7;          // one interval too many; one too few costs 1 and more
 constexpr double kGapCost = 0.2;            // a distance that samples saw off by one interval, per order ...
 constexpr double kLineCost = 0.2;           // ... and per line of elements that runs there, at most ...
 constexpr double kLineCostMost = 8;         // ... this much: large plates must not outweigh orders
@@ -92,6 +93,14 @@ std::pair<int, int> arc_ends(const FeatureShape& shape, const Classes& classes, 
   return arc.sign > 0 ? std::make_pair(start, end) : std::make_pair(end, start);
 }
 
+/// How bad d intervals are on a length of t element sizes. Too long elements cost the logarithm of their size, length times
+/// (t ln(t/d), convex); too short ones cost less, and more the farther from t, so that what rounding leaves spreads evenly.
+/// The two balance where sizes do: from sqrt(2) on, t = 1.42 takes two intervals.
+double interval_cost(double t, int d, double curvature) {
+  if (d < t) return t * std::log(t / d);
+  return kShortCost * ((d - t) + curvature * (d - t) * (d - t) / std::max(1.0, t));
+}
+
 struct Terms {
   std::vector<DifferenceTerm> list;
   std::vector<int> arc;  // per term: the arc of a hard term, -1 otherwise (shorter than list: the rest is -1)
@@ -163,7 +172,8 @@ Polycube quantize(const SurfaceMesh& mesh, const FeatureShape& shape, const std:
     terms[arc.axis].arc.push_back(i);
     list.push_back({from, to, options.minimum_intervals, kHardTerm});
     if (from == to) continue;
-    add_convex_terms(list, from, to, target(arc.length), 1, options.arc_curvature, options.minimum_intervals);
+    const double t = target(arc.length);
+    add_convex_terms(list, from, to, t, std::max(1, options.minimum_intervals), [&](int d) { return interval_cost(t, d, options.arc_curvature); });
     const int wished = wished_intervals(mesh, edge.vertices, options.largest_sag * h);
     if (wished > options.minimum_intervals) list.push_back({from, to, wished, std::llround(kTermScale * kIntervalWishCost)});
   }
@@ -174,7 +184,8 @@ Polycube quantize(const SurfaceMesh& mesh, const FeatureShape& shape, const std:
     const double cost = kOrderCost + (kOrderCostMany - kOrderCost) * std::min(1.0, order.count / 8.0);
     const double lines = kLineCost * order.lines, gap_cost = kGapCost * std::min(1.0, order.count / 4.0) + lines / (1 + lines / kLineCostMost);
     list.push_back({from, to, 1, std::llround(kTermScale * cost)});
-    add_convex_terms(list, from, to, target(order.gap), gap_cost, 0, 1);
+    const double t = target(order.gap);
+    add_convex_terms(list, from, to, t, 1, [&](int d) { return gap_cost * interval_cost(t, d, 0); });
   }
   for (const auto& s : separations)
     terms[axis(s.low)].list.push_back(
@@ -183,7 +194,8 @@ Polycube quantize(const SurfaceMesh& mesh, const FeatureShape& shape, const std:
     const auto& chart = shape.charts[c];
     const double weight = kPositionCost + (kPositionCostLarge - kPositionCost) * std::min(1.0, chart.area / (4 * h * h));
     const int origin = classes.count[axis(c)];
-    add_convex_terms(terms[axis(c)].list, origin, classes.of_chart[c], target(chart.centroid[axis(c)]), weight, 0, kNoMinimum);
+    const double t = target(chart.centroid[axis(c)]);
+    add_convex_terms(terms[axis(c)].list, origin, classes.of_chart[c], t, kNoMinimum, [&](int d) { return weight * std::abs(d - t); });
   }
 
   Polycube polycube;

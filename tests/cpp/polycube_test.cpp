@@ -67,8 +67,8 @@ TEST_CASE("convex terms add up to the cost at integers") {
   for (const double target : {0.3, 1.0, 2.5, 7.75})
     for (const int minimum : {-1000, 1, 3}) {
       std::vector<DifferenceTerm> terms;
-      add_convex_terms(terms, 0, 1, target, 1, 0.5, minimum);
       const auto cost = [&](int d) { return std::abs(d - target) + 0.5 * (d - target) * (d - target) / std::max(1.0, target); };
+      add_convex_terms(terms, 0, 1, target, minimum, cost);
       for (int d = std::max(minimum, static_cast<int>(target) - 3); d < target + 4; ++d) {
         const auto step = difference_cost(terms, {0, d + 1}) - difference_cost(terms, {0, d});
         CHECK(step == doctest::Approx(kTermScale * (cost(d + 1) - cost(d))).epsilon(0.01));
