@@ -12,6 +12,7 @@ from hexfeature import _core, api
 from hexfeature.errors import EXIT_CODES, MeshingError, make_error, system_error
 
 STEPS_WITHOUT_PICTURE = ("read", "frame")
+CONFIG_HINT = 'it should read like {"size": 4, "order": 2}'
 
 
 def main(arguments=None):
@@ -92,8 +93,9 @@ def _add_option(group, option):
         return
     default = f" (default {option.default})" if option.default != "" and option.name != "size" else ""
     names = [c for c in option.choices if c]
-    metavar = "{" + ",".join(names) + "}" if names else option.name[0].upper() if option.name == "size" else "N" if option.type != "str" else "TEXT"
-    kind = {"float": float, "int": int, "str": str}[option.type]
+    kind, metavar = {"float": (float, "X"), "int": (int, "N"), "str": (str, "TEXT")}[option.type]
+    if names:
+        metavar = "{" + ",".join(names) + "}"
     group.add_argument(flag, type=kind, default=argparse.SUPPRESS, metavar=metavar, help=text + default)
 
 
@@ -113,9 +115,9 @@ def _read_config(path):
     except OSError as error:
         raise system_error("usage", "options", f"cannot read '{path}'", error, "check the name of the options file") from None
     except ValueError as error:
-        raise make_error("usage", "options", f"'{path}' is not valid JSON: {error}", 'it should read like {"size": 4, "order": 2}') from None
+        raise make_error("usage", "options", f"'{path}' is not valid JSON: {error}", CONFIG_HINT) from None
     if not isinstance(config, dict):
-        raise make_error("usage", "options", f"'{path}' must hold an object", 'it should read like {"size": 4, "order": 2}')
+        raise make_error("usage", "options", f"'{path}' must hold an object", CONFIG_HINT)
     return config
 
 
