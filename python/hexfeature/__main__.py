@@ -12,6 +12,9 @@ def run():
     except KeyboardInterrupt:
         sys.stderr.write("hexfeature: cancelled\n")
         return 130
+    except ImportError as error:
+        sys.stderr.write(f"hexfeature: the program is not complete: {error}\n  hint: run 'make build', or install the package again\n")
+        return 4
 
 
 if __name__ == "__main__":

@@ -20,7 +20,7 @@ class ShapeObject(NamedTuple):
 def read_brep(path, object_name=None):
     """The B-rep text of the object with that name or label; without one, of the document's only solid.
 
-    A solid that another solid is made from (a sketch pad inside a body, the operands of a cut) does not count.
+    A solid that another solid is made from (a pad inside a body, the operands of a cut) does not count.
     Raises MeshingError: "bad_input" when the file is not a document with solids, "usage" when the object must be named.
     """
     try:
@@ -45,12 +45,11 @@ def _read(archive, path, object_name):
 
     breps = {s.name: _brep(archive, s) for s in shapes}
     solids = [s for s in shapes if _has_solid(breps[s.name])]
-    used = set().union(*(s.links for s in solids if s.type != "PartDesign::Feature"))
-    final = [s for s in solids if s.name not in used] or solids
-    # Members of a PartDesign body link back to it: bodies stand for their members.
-    bodies = [s for s in final if s.type == "PartDesign::Body"]
-    members = set().union(*(b.links for b in bodies))
-    final = [s for s in final if s.name not in members or s in bodies]
+    # The features of a PartDesign body link back to it: the body stands for them.
+    features = set().union(*(s.links for s in solids if s.type == "PartDesign::Body"))
+    whole = [s for s in solids if s.name not in features] or solids
+    used = set().union(*(s.links for s in whole))
+    final = [s for s in whole if s.name not in used] or whole
     if not final:
         raise make_error("bad_input", "read", f"there is no solid in '{path}'", "recompute and save the document in FreeCAD")
     if len(final) > 1:

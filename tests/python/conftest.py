@@ -11,8 +11,8 @@ sys.path.insert(0, str(ROOT / "python"))
 
 DRAW = """
 import sys
-sys.path += ["/usr/lib/freecad-python3/lib", "/usr/lib/freecad/lib"]
-import FreeCAD, Part
+sys.path += ["/usr/lib/freecad-python3/lib", "/usr/lib/freecad/lib", "/usr/lib/freecad/Mod"]
+import FreeCAD, Part, Sketcher, _PartDesign
 from FreeCAD import Vector as V
 folder = sys.argv[1] + "/"
 box = Part.makeBox(40, 20, 10)
