@@ -38,7 +38,7 @@ Options options_from(const py::dict& values) {
     else if (py::isinstance<py::str>(value))
       set_option(options, name, py::cast<std::string>(value));
     else
-      throw MeshingError(Failure::Usage, "options", name + " must be a number, a text, true or false");
+      throw MeshingError(Failure::Usage, "options", name + " must be a number, a text, true or false", "see hexfeature mesh --help");
   }
   return options;
 }

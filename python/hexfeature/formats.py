@@ -1,16 +1,16 @@
 # HexFeatureWB - LGPL-2.1-or-later
-"""Write a mesh: .vtk, .inp and .unv by the core; .vtu, .med and .msh by meshio, which is loaded only then."""
+"""Write a mesh: .vtk, .inp and .unv by the core; .vtu and .msh by meshio, .med by h5py, which are loaded only then."""
 import os
 
 from hexfeature import _core
 from hexfeature.errors import make_error, system_error
 
-_MESHIO = {".vtu": "vtu", ".med": "med", ".msh": "gmsh22"}
+_MESHIO = {".vtu": "vtu", ".msh": "gmsh22"}
 
 
 def endings():
     """Every ending that `write` knows, with the dot."""
-    return list(_core.writable_endings) + list(_MESHIO)
+    return [*_core.writable_endings, *_MESHIO, ".med"]
 
 
 def check_output(path, known=None):
@@ -32,10 +32,20 @@ def write(mesh, path, element_type=""):
     """Write `mesh` (api.Mesh) by the ending of `path`. Raises MeshingError ("usage", "output")."""
     check_output(path)
     ending = os.path.splitext(path)[1].lower()
-    if ending in _MESHIO:
-        _write_meshio(mesh, path, _MESHIO[ending])
-    else:
-        mesh._result.write(path, element_type)
+    if ending in _core.writable_endings:
+        return mesh._result.write(path, element_type)
+    try:
+        if ending == ".med":
+            from hexfeature import med
+
+            name = os.path.splitext(os.path.basename(path))[0]
+            write_to = lambda temporary: med.write(mesh, temporary, name)
+        else:
+            write_to = _meshio_writer(mesh, _MESHIO[ending])
+    except ImportError as error:
+        raise make_error("output", "write", f"cannot write '{path}': the Python package {error.name} is missing",
+                         f"install {error.name}, or write .vtk, .inp or .unv") from None
+    replace_file(path, write_to)
 
 
 def replace_file(path, write_to):
@@ -52,23 +62,8 @@ def replace_file(path, write_to):
             os.remove(temporary)
 
 
-def _write_meshio(mesh, path, file_format):
-    try:
-        import meshio
-
-        if file_format == "med":
-            import h5py  # noqa: F401  meshio imports it too late to tell the user
-    except ImportError as error:
-        raise make_error("output", "write", f"cannot write '{path}': the Python package {error.name} is missing",
-                         f"install {error.name}, or write .vtk, .inp or .unv") from None
-    data = _meshio_mesh(mesh, file_format)
-    keywords = {"binary": True} if file_format == "gmsh22" else {}
-    replace_file(path, lambda temporary: meshio.write(temporary, data, file_format=file_format, **keywords))
-
-
-def _meshio_mesh(mesh, file_format):
-    """Hexahedra and boundary quads; the CAD faces and solids as far as the format can say them: cell data (.vtu),
-    physical groups FaceN and SolidN (.msh), families (.med)."""
+def _meshio_writer(mesh, file_format):
+    """Hexahedra and boundary quads; the CAD faces and solids as cell data (.vtu) or physical groups FaceN, SolidN (.msh)."""
     import meshio
     import numpy as np
 
@@ -82,17 +77,11 @@ def _meshio_mesh(mesh, file_format):
         names = {f"Face{f}": np.array([f, 2]) for f in np.unique(face) if f > 0}
         names.update({f"Solid{s}": np.array([s, 3]) for s in np.unique(solid)})
         tags = [solid.astype(np.int32), face.astype(np.int32)]
-        return meshio.Mesh(points, cells, cell_data={"gmsh:physical": tags, "gmsh:geometrical": tags}, field_data=names)
-    if file_format == "med":
-        # A family is a set of cells with the same groups; its number is negative. Faces first, then solids.
-        offset = int(face.max(initial=0))
-        families = {-int(f): [f"Face{f}"] for f in np.unique(face) if f > 0}
-        families.update({-(offset + int(s)): [f"Solid{s}"] for s in np.unique(solid)})
-        result = meshio.Mesh(points, cells, cell_data={"cell_tags": [-(offset + solid), -face]})
-        result.cell_tags = families
-        return result
-    return meshio.Mesh(points, cells, cell_data={"cad_face": [np.zeros_like(solid), face], "cad_solid": [solid, _quad_solid(mesh)]},
+        data = meshio.Mesh(points, cells, cell_data={"gmsh:physical": tags, "gmsh:geometrical": tags}, field_data=names)
+        return lambda path: meshio.write(path, data, file_format="gmsh22", binary=True)
+    data = meshio.Mesh(points, cells, cell_data={"cad_face": [np.zeros_like(solid), face], "cad_solid": [solid, _quad_solid(mesh)]},
                        point_data={"cad_dim": np.array(mesh.node_dim), "cad_entity": np.array(mesh.node_entity)})
+    return lambda path: meshio.write(path, data, file_format=file_format)
 
 
 def _quad_solid(mesh):
