@@ -2,10 +2,12 @@
 PYTHON := /usr/bin/python3
 PRESET := $(if $(CI),ci,release)
 PYTEST := PYTHONPATH=python $(PYTHON) -m pytest -p no:cacheprovider
+FREECAD := QT_QPA_PLATFORM=offscreen PYTHONPATH=/usr/lib/freecad-python3/lib:python $(PYTHON)
 
 cpp_files = $(shell git ls-files 'cpp/*.cpp' 'cpp/*.h' 'tests/cpp/*.cpp' 'tests/cpp/*.h')
 
-.PHONY: help deps build test test-cpp test-freecad test-python lint format wheel clean
+.PHONY: help deps build demo test test-cpp test-freecad test-python lint format wheel clean
+.NOTPARALLEL:
 
 help:  ## this list
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*##/\t/' | expand -t 16
@@ -18,13 +20,16 @@ build: deps  ## the extension and the launcher build/hexfeature
 	@rm -f build-configure.log
 	cmake --build build
 
+demo: build  ## a bracket from STEP to stresses in out/demo: document, mesh, report, picture
+	$(FREECAD) examples/bracket_to_stresses.py out/demo
+
 test: build test-cpp test-freecad test-python  ## all tests but the GUI's
 
 test-cpp: build
 	ctest --test-dir build --output-on-failure --progress
 
 test-freecad: build
-	PYTHONPATH=python:tests/freecad QT_QPA_PLATFORM=offscreen freecadcmd -P python -P tests/freecad -t TestHexFeature
+	QT_QPA_PLATFORM=offscreen freecadcmd -P python -P tests/freecad -P tests/parts -t TestHexFeature
 
 test-python: build
 	$(PYTEST) tests/python
