@@ -22,6 +22,7 @@ build: deps  ## the extension and the launcher build/hexfeature
 
 demo: build  ## a bracket from STEP to stresses in out/demo: document, mesh, report, picture
 	$(FREECAD) examples/bracket_to_stresses.py out/demo
+	xvfb-run -a $(PYTHON) docs/render.py out/demo/bracket.vtk out/demo/bracket.png
 
 test: build test-cpp test-freecad test-python  ## all tests but the GUI's
 
