@@ -76,6 +76,7 @@ void BoundaryFit::route_cad_edges() {
         for (const Stop& stop : chains[changed[side]].stops) ok = ok && (!stop.pinned || stop.node >= 0);
     ok = ok && split(region, index);
     if (!ok) {
+      report_given_up(*this, curve, "part and lattice would be cut differently");
       detach(index);
       chains.pop_back();
       chain_lattice.pop_back();

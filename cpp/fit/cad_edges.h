@@ -1,5 +1,6 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #pragma once
+#include <string>
 #include <vector>
 
 #include "fit/boundary_fit.h"
@@ -26,6 +27,8 @@ class FlatCurve {
   const std::vector<Vec2>& points() const { return flat_; }
   /// Squared distance of a point of the lattice plane, and the arc length (on the part) of the nearest point of the curve.
   double distance2(const Vec2& q, double& s) const;
+  /// The same for a point of the part.
+  double distance2_on_part(const Vec3& p, double& s) const;
   /// Signed turn of the curve on the part within one element size on either side of arc length s; left positive.
   double turn_at(double s) const;
   /// Unit direction on the part that the curve sets out in from its start, or comes in to its end (then pointing back).
@@ -39,8 +42,10 @@ class FlatCurve {
   std::vector<double> s_;
 };
 
+/// Log line: the curve stays without mesh edges of its own, and why.
+void report_given_up(const BoundaryFit& fit, const InnerCurve& curve, const std::string& why);
+
 /// Node path (>= 2 nodes) along which the lattice should follow an open curve; empty when every path is too dear.
-/// `start_node`, `end_node` of the Chain stops it would pin are found again by the caller from the path's ends.
 /// Cheapest path with state = directed edge (experiments B4): distance to the curve in lattice units; two consecutive edges of one
 /// quad only where the curve itself turns that way, since the quad's corner there would open to 180 degrees.
 std::vector<int> route_open_curve(const BoundaryFit& fit, int region, const InnerCurve& curve, const std::vector<int>& node_of_vertex);

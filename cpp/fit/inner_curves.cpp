@@ -81,6 +81,21 @@ double FlatCurve::distance2(const Vec2& q, double& s) const {
   return best;
 }
 
+double FlatCurve::distance2_on_part(const Vec3& p, double& s) const {
+  double best = 1e300;
+  for (std::size_t i = 0; i + 1 < s_.size(); ++i) {
+    const Vec3& a = fit_.mesh.points[curve_.vertices[i]];
+    const Vec3 d = fit_.mesh.points[curve_.vertices[i + 1]] - a;
+    const double f = d.squaredNorm() > 0 ? std::clamp(d.dot(p - a) / d.squaredNorm(), 0.0, 1.0) : 0.0;
+    const double d2 = (a + f * d - p).squaredNorm();
+    if (d2 < best) {
+      best = d2;
+      s = s_[i] + f * (s_[i + 1] - s_[i]);
+    }
+  }
+  return best;
+}
+
 Vec3 FlatCurve::at(double s) const {
   if (curve_.closed()) s -= std::floor(s / s_.back()) * s_.back();
   s = std::clamp(s, 0.0, s_.back());

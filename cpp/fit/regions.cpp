@@ -1,6 +1,7 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "base/error.h"
 #include "fit/boundary_fit.h"
@@ -102,6 +103,9 @@ void BoundaryFit::update(int index) {
       mesh, region.triangles, border_of, [&](int h) { return flatten(region.chart, chain_lattice[border_of[h]][border_index[h]]); },
       corner_flat, context);
   region.dirty = false;
+  if (region.map.folded > 0)
+    context.log("fit: the map of chart " + std::to_string(region.chart) + " keeps " + std::to_string(region.map.folded) +
+                " folded triangles");
 }
 
 bool BoundaryFit::split(int index, int chain_index) {

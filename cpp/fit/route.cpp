@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <queue>
+#include <string>
 #include <tuple>
 
 #include "fit/cad_edges.h"
@@ -116,13 +117,23 @@ bool opens_flat(const BoundaryFit& fit, int g, const Vec3& direction, int vertex
 
 }  // namespace
 
+void report_given_up(const BoundaryFit& fit, const InnerCurve& curve, const std::string& why) {
+  if (!fit.context.on_log) return;
+  fit.context.log("fit: CAD edge " + std::to_string(followed_edge(fit.mesh, fit.geometry, curve.halfedges.front())) +
+                  (curve.sharp ? " (sharp)" : " (tangent)") + " has no mesh edges of its own: " + why);
+}
+
 std::vector<int> route_open_curve(const BoundaryFit& fit, int region, const InnerCurve& curve, const std::vector<int>& node_of_vertex) {
   const QuadNet& net = fit.net;
   const FlatCurve flat(fit, curve);
+  const auto give_up = [&](const std::string& why) {
+    report_given_up(fit, curve, why);
+    return std::vector<int>{};
+  };
   const int first_h = curve.halfedges.front(), last_h = fit.mesh.opposite[curve.halfedges.back()];
   const auto starts = possible_ends(fit, region, first_h, flat.points().front(), node_of_vertex);
   const auto ends = possible_ends(fit, region, last_h, flat.points().back(), node_of_vertex);
-  if (starts.empty() || ends.empty()) return {};
+  if (starts.empty() || ends.empty()) return give_up("no node for an end");
   std::vector<double> end_cost(fit.node_taken.size(), -1);
   for (const PathEnd& e : ends) end_cost[e.node] = e.cost;
 
@@ -131,7 +142,26 @@ std::vector<int> route_open_curve(const BoundaryFit& fit, int region, const Inne
     return !fit.quad_cut[g] && fit.region_of_quad[g / 4] == region && net.opposite[g] >= 0 &&
            fit.region_of_quad[net.opposite[g] / 4] == region;
   };
-  const auto distance = [&](int node, double& s) { return flat.distance2(fit.flatten(chart, fit.lattice[node]), s); };
+  // Distance in lattice units, or on the part in element sizes where the map is crowded: the lesser of the two.
+  std::vector<double> known_distance(fit.node_taken.size(), -1), known_s(fit.node_taken.size(), 0);
+  const RegionMap& map = fit.regions[region].map;
+  const auto distance = [&](int node, double& s) {
+    if (known_distance[node] < 0) {
+      const Vec2 q = fit.flatten(chart, fit.lattice[node]);
+      double d2 = flat.distance2(q, known_s[node]);
+      if (d2 > 0.25 && d2 < 25) {
+        double s_part;
+        const double part2 = flat.distance2_on_part(map.point_at(map.locate(q)), s_part) / (fit.options.size * fit.options.size);
+        if (part2 < d2) {
+          d2 = part2;
+          known_s[node] = s_part;
+        }
+      }
+      known_distance[node] = d2;
+    }
+    s = known_s[node];
+    return known_distance[node];
+  };
   const double largest = curve.sharp ? kSharpLargest : kSmoothLargest;
 
   // Dijkstra over directed edges; the cost of a node is its squared distance plus a little for each step.
@@ -181,20 +211,20 @@ std::vector<int> route_open_curve(const BoundaryFit& fit, int region, const Inne
     if (turn > kLeastTurn) relax(left, c + price, g);
     if (turn < -kLeastTurn) relax(right, c + price, g);
   }
-  if (goal < 0) return {};
+  if (goal < 0) return give_up("no path without a flat corner");
   std::vector<int> path{net.to(goal)};
   for (int g = goal; g >= 0; g = before[g]) path.push_back(net.from(g));
   std::reverse(path.begin(), path.end());
   double sum = 0;
   std::vector<int> sorted(path);
   std::sort(sorted.begin(), sorted.end());
-  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return {};
+  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return give_up("the path meets itself");
   for (int n : path) {
     double s;
     sum += distance(n, s);
   }
   const double rms = std::sqrt(sum / static_cast<double>(path.size()));
-  if (rms > (curve.sharp ? kSharpRms : kSmoothRms)) return {};
+  if (rms > (curve.sharp ? kSharpRms : kSmoothRms)) return give_up("too far, " + std::to_string(rms));
   return path;
 }
 
@@ -211,29 +241,47 @@ std::vector<int> route_closed_curve(const BoundaryFit& fit, int region, const In
   const Vec2 size = hi - lo, middle = 0.5 * (lo + hi);
   if (!(size.minCoeff() > 0)) return {};
   const double shrink = std::sqrt(std::clamp(0.5 * std::abs(area2) / (size.x() * size.y()), 0.25, 1.0));
-  Eigen::Vector2i a, b;
-  for (int k = 0; k < 2; ++k) {
-    const double half = std::max(0.5, std::round(shrink * size[k]) / 2);
-    a[k] = static_cast<int>(std::lround(middle[k] - half));
-    b[k] = a[k] + static_cast<int>(std::lround(2 * half));
-  }
-  // The region's free nodes by lattice position.
+  const Vec2 low = middle - 0.5 * shrink * size, high = middle + 0.5 * shrink * size;
+
+  // The region's free nodes by lattice position, in a window one unit wider than the curve.
   const int chart = fit.regions[region].chart;
-  const int nx = b[0] - a[0] + 1, ny = b[1] - a[1] + 1;
-  std::vector<int> grid(static_cast<std::size_t>(nx) * ny, -1);
+  const Eigen::Vector2i origin = (low.array() - 1).floor().cast<int>(), last = (high.array() + 1).ceil().cast<int>();
+  const int width = last[0] - origin[0] + 1;
+  std::vector<int> grid(static_cast<std::size_t>(width) * (last[1] - origin[1] + 1), -1);
   for (int quad : fit.regions[region].quads)
     for (int n : fit.net.quads[quad]) {
       const Vec2 q = fit.flatten(chart, fit.lattice[n]);
-      const int i = static_cast<int>(std::lround(q[0])) - a[0], j = static_cast<int>(std::lround(q[1])) - a[1];
-      if (i >= 0 && j >= 0 && i < nx && j < ny && fit.node_taken[n] == 0) grid[static_cast<std::size_t>(j) * nx + i] = n;
+      const int i = static_cast<int>(std::lround(q[0])), j = static_cast<int>(std::lround(q[1]));
+      if (i >= origin[0] && j >= origin[1] && i <= last[0] && j <= last[1] && fit.node_taken[n] == 0)
+        grid[static_cast<std::size_t>(j - origin[1]) * width + i - origin[0]] = n;
     }
+  const auto node_at = [&](int i, int j) { return grid[static_cast<std::size_t>(j - origin[1]) * width + i - origin[0]]; };
+  const auto rectangle = [&](const Eigen::Vector2i& a, const Eigen::Vector2i& b) {
+    std::vector<int> nodes;
+    for (int i = a[0]; i < b[0]; ++i) nodes.push_back(node_at(i, a[1]));
+    for (int j = a[1]; j < b[1]; ++j) nodes.push_back(node_at(b[0], j));
+    for (int i = b[0]; i > a[0]; --i) nodes.push_back(node_at(i, b[1]));
+    for (int j = b[1]; j > a[1]; --j) nodes.push_back(node_at(a[0], j));
+    return nodes;
+  };
+  // Each side rounded either way: the free rectangle nearest to the ideal one.
   std::vector<int> loop;
-  const auto add = [&](int i, int j) { loop.push_back(grid[static_cast<std::size_t>(j) * nx + i]); };
-  for (int i = 0; i < nx - 1; ++i) add(i, 0);
-  for (int j = 0; j < ny - 1; ++j) add(nx - 1, j);
-  for (int i = nx - 1; i > 0; --i) add(i, ny - 1);
-  for (int j = ny - 1; j > 0; --j) add(0, j);
-  if (std::find(loop.begin(), loop.end(), -1) != loop.end()) return {};
+  double least_cost = 1e300;
+  for (int choice = 0; choice < 16; ++choice) {
+    const auto side = [&](double x, int bit) { return static_cast<int>(choice >> bit & 1 ? std::ceil(x) : std::floor(x)); };
+    const Eigen::Vector2i a(side(low[0], 0), side(low[1], 1)), b(side(high[0], 2), side(high[1], 3));
+    if ((b - a).minCoeff() < 1) continue;
+    const double cost = (a.cast<double>() - low).squaredNorm() + (b.cast<double>() - high).squaredNorm();
+    if (cost >= least_cost) continue;
+    std::vector<int> nodes = rectangle(a, b);
+    if (std::find(nodes.begin(), nodes.end(), -1) != nodes.end()) continue;
+    loop = std::move(nodes);
+    least_cost = cost;
+  }
+  if (loop.empty()) {
+    report_given_up(fit, curve, "no free loop of nodes");
+    return {};
+  }
   if (area2 < 0) std::reverse(loop.begin(), loop.end());
   // Begin at the node nearest to the curve's first point.
   std::size_t best = 0;
