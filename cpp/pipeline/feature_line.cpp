@@ -31,8 +31,10 @@ LabelResult label(const SurfaceMesh& surface, const Geometry& geometry, Run& run
   options.size = run.options.size;
   options.beta = run.options.beta;
   options.max_smoothing_rounds = run.options.smoothing_rounds;
+  AxisRayCache rays;  // the search tries many labels on few meshes
   const FillCheck fill = [&](const SurfaceMesh& mesh, const FeatureShape& shape) -> FillOutcome {
-    const Lattice lattice = build_lattice(mesh, shape, quantize_options(run.options), run.context);
+    const QuantizeOptions quantize = quantize_options(run.options);
+    const Lattice lattice = build_lattice(mesh, shape, rays.rays(mesh, ray_count(mesh, quantize), run.context), quantize, run.context);
     return {lattice.report.ok, lattice.report.reason, lattice.report.charts};
   };
   if (run.options.labels == "paper") {

@@ -53,6 +53,7 @@ void systematic(const std::vector<int>& triangles, int count, const Weight& weig
 struct Walk {
   int low = -1, high = -1;  // charts across the border, towards - and + of the axis
   double length = 0;
+  int pieces = 1;  // between sharp CAD edges crossed on the way
 };
 
 /// From p in triangle t, along the curve in which the plane x[across] = p[across] cuts the surface, both ways until the chart
@@ -86,6 +87,7 @@ Walk walk_chart(const SurfaceMesh& mesh, const std::vector<int>& chart_of, int t
         break;
       }
       if (steps == 0) return {};  // a closed curve without border
+      if (on_sharp_edge(mesh, h)) ++walk.pieces;
       const int n = SurfaceMesh::next(o);
       h = above(mesh.from(n)) != above(mesh.to(n)) ? n : SurfaceMesh::prev(o);
     }
@@ -94,6 +96,11 @@ Walk walk_chart(const SurfaceMesh& mesh, const std::vector<int>& chart_of, int t
 }
 
 }  // namespace
+
+bool on_sharp_edge(const SurfaceMesh& mesh, int halfedge) {
+  constexpr double kSharp = 20 * EIGEN_PI / 180;
+  return mesh.halfedge_edge[halfedge] > 0 && std::abs(mesh.dihedral(halfedge)) > kSharp;
+}
 
 AxisRays sample_axis_rays(const SurfaceMesh& mesh, int count, Context& context) {
   AxisRays rays;
@@ -132,6 +139,17 @@ AxisRays sample_axis_rays(const SurfaceMesh& mesh, int count, Context& context) 
   return rays;
 }
 
+const AxisRays& AxisRayCache::rays(const SurfaceMesh& mesh, int count, Context& context) {
+  if (count != count_ || mesh.triangles != triangles_ || mesh.points != points_) {
+    count_ = 0;  // should sampling throw
+    rays_ = sample_axis_rays(mesh, count, context);
+    points_ = mesh.points;
+    triangles_ = mesh.triangles;
+    count_ = count;
+  }
+  return rays_;
+}
+
 std::vector<ChartOrder> chart_orders(const SurfaceMesh& mesh, const FeatureShape& shape, const AxisRays& rays, double size,
                                      Context& context) {
   const auto& chart_of = shape.cells.triangle_part;
@@ -141,7 +159,7 @@ std::vector<ChartOrder> chart_orders(const SurfaceMesh& mesh, const FeatureShape
     const int low = chart_of[c.low], high = chart_of[c.high];
     // Through solid a line goes in at a chart that looks down the axis and out at one that looks up; through air the reverse.
     if (label(low) == make_label(c.axis, c.solid ? -1 : 1) && label(high) == make_label(c.axis, c.solid ? 1 : -1))
-      orders.push_back({low, high, c.gap, 1, c.area / (size * size)});
+      orders.push_back({low, high, c.gap, 1, 1, c.area / (size * size)});
   }
   Random random(2);
   for (int chart = 0; chart < shape.chart_count(); ++chart) {
@@ -156,7 +174,7 @@ std::vector<ChartOrder> chart_orders(const SurfaceMesh& mesh, const FeatureShape
         const Walk walk = walk_chart(mesh, chart_of, t, p, axis, third_axis(axis, own));
         if (walk.low < 0 || walk.high < 0 || walk.low == walk.high) continue;
         if (axis_of(label(walk.low)) == axis && axis_of(label(walk.high)) == axis)
-          orders.push_back({walk.low, walk.high, walk.length, 1, area / count / std::max(walk.length, size) / size});
+          orders.push_back({walk.low, walk.high, walk.length, 1, walk.pieces, area / count / std::max(walk.length, size) / size});
       }
     });
   }
@@ -167,8 +185,11 @@ std::vector<ChartOrder> chart_orders(const SurfaceMesh& mesh, const FeatureShape
   std::size_t kept = 0;
   for (std::size_t i = 0; i < orders.size();) {
     std::size_t j = i, median = i;
-    ChartOrder order{orders[i].low, orders[i].high, 0, 0, 0};
-    for (; j < orders.size() && orders[j].low == order.low && orders[j].high == order.high; ++j) order.lines += orders[j].lines;
+    ChartOrder order{orders[i].low, orders[i].high, 0, 0, 1, 0};
+    for (; j < orders.size() && orders[j].low == order.low && orders[j].high == order.high; ++j) {
+      order.lines += orders[j].lines;
+      order.pieces = std::max(order.pieces, orders[j].pieces);
+    }
     order.count = static_cast<int>(j - i);
     // Air weighs nothing by itself, but a little when there is nothing else.
     const double least = 1e-6, half = 0.5 * (order.lines + least * order.count);
@@ -191,7 +212,7 @@ std::vector<ChartOrder> position_orders(const FeatureShape& shape, double tolera
     std::stable_sort(charts.begin(), charts.end(), [&](int a, int b) { return position(a) < position(b); });
     for (std::size_t i = 0, j = 0; i < charts.size(); ++i) {
       while (j < charts.size() && position(charts[j]) - position(charts[i]) < tolerance) ++j;
-      if (j < charts.size()) orders.push_back({charts[i], charts[j], position(charts[j]) - position(charts[i]), 1, 0});
+      if (j < charts.size()) orders.push_back({charts[i], charts[j], position(charts[j]) - position(charts[i]), 1, 1, 0});
     }
   }
   return orders;

@@ -1,5 +1,6 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #pragma once
+#include <array>
 #include <vector>
 
 #include "base/context.h"
@@ -7,6 +8,9 @@
 #include "shape/feature_shape.h"
 
 namespace hexfeature {
+
+/// Is this halfedge on a sharp CAD edge (over 20 degrees, as CadEdge::sharp), which mesh edges must follow?
+bool on_sharp_edge(const SurfaceMesh& mesh, int halfedge);
 
 /// Where lines along the axes cross the surface one after the other, through solid or across a gap: depends on the mesh alone,
 /// so that a labeller that tries many labels on one mesh samples once.
@@ -25,11 +29,24 @@ struct AxisRays {
 /// features get their share. Fixed sequence: the same mesh gives the same rays.
 AxisRays sample_axis_rays(const SurfaceMesh& mesh, int count, Context& context);
 
+/// Rays of the mesh that was asked for last, for a caller that tries many labels: samples anew only when the mesh has changed.
+class AxisRayCache {
+ public:
+  const AxisRays& rays(const SurfaceMesh& mesh, int count, Context& context);
+
+ private:
+  std::vector<Vec3> points_;
+  std::vector<std::array<int, 3>> triangles_;
+  int count_ = 0;
+  AxisRays rays_;
+};
+
 /// The part says that chart `low` lies below chart `high` on their common axis, at this distance.
 struct ChartOrder {
   int low = -1, high = -1;
   double gap = 0;    ///< weighted median
   int count = 0;     ///< samples that said so
+  int pieces = 1;    ///< intervals that the CAD asks for between them: one more than the sharp CAD edges that run across
   double lines = 0;  ///< how many lines of elements run between the two: cross-section / h^2 inside, width / h on a chart
 };
 

@@ -67,21 +67,36 @@ Classes merge_charts(const FeatureShape& shape) {
   return classes;
 }
 
-/// Least number of intervals that an arc's shape asks for: chords close to its curve, and a node at every kink at a CAD vertex.
-int wished_intervals(const SurfaceMesh& mesh, const std::vector<int>& vertices, double largest_sag) {
+/// Sharp CAD edges at every mesh point, by mesh edges.
+std::vector<int> sharp_degrees(const SurfaceMesh& mesh) {
+  std::vector<int> degree(mesh.point_count(), 0);
+  for (int h = 0; h < 3 * mesh.triangle_count(); ++h) {
+    if (h > mesh.opposite[h] || !on_sharp_edge(mesh, h)) continue;
+    ++degree[mesh.from(h)];
+    ++degree[mesh.to(h)];
+  }
+  return degree;
+}
+
+/// Least number of intervals that an arc's shape asks for: chords close to its curve, and nodes where it kinks at a CAD vertex
+/// or where a sharp CAD edge joins or leaves it.
+int wished_intervals(const SurfaceMesh& mesh, const Partition::Edge& edge, const std::vector<int>& sharp_degree, double largest_sag) {
+  const auto& vertices = edge.vertices;
   const Vec3 &a = mesh.points[vertices.front()], &b = mesh.points[vertices.back()];
   const Vec3 chord = b - a;
   double sag = 0;
-  int kinks = 0;
+  int stops = 0;
   for (std::size_t i = 1; i + 1 < vertices.size(); ++i) {
     const Vec3& p = mesh.points[vertices[i]];
     const double s = chord.squaredNorm() > 0 ? std::clamp((p - a).dot(chord) / chord.squaredNorm(), 0.0, 1.0) : 0.0;
     sag = std::max(sag, (p - a - s * chord).norm());
     const Vec3 before = p - mesh.points[vertices[i - 1]], after = mesh.points[vertices[i + 1]] - p;
-    if (mesh.place[vertices[i]].dim == 0 && before.dot(after) < std::cos(EIGEN_PI / 6) * before.norm() * after.norm()) ++kinks;
+    const bool kink = mesh.place[vertices[i]].dim == 0 && before.dot(after) < std::cos(EIGEN_PI / 6) * before.norm() * after.norm();
+    const int own = on_sharp_edge(mesh, edge.halfedges[i - 1]) + on_sharp_edge(mesh, edge.halfedges[i]);
+    if (kink || own == 1 || sharp_degree[vertices[i]] > own) ++stops;
   }
   // n chords have 1/n^2 of the sag of one.
-  return std::max(kinks + 1, static_cast<int>(std::ceil(std::sqrt(sag / largest_sag) - 0.05)));
+  return std::max(stops + 1, static_cast<int>(std::ceil(std::sqrt(sag / largest_sag) - 0.05)));
 }
 
 /// The unknowns of an arc's lower and upper end along its axis.
@@ -145,7 +160,7 @@ ForcedOrders::ForcedOrders(const FeatureShape& shape) {
 }
 
 int ray_count(const SurfaceMesh& mesh, const QuantizeOptions& options) {
-  return std::min(options.rays, std::max(400, 2 * mesh.triangle_count()));
+  return std::min(options.rays, std::max(800, mesh.triangle_count() / 4));
 }
 
 Polycube quantize(const SurfaceMesh& mesh, const FeatureShape& shape, const QuantizeOptions& options,
@@ -163,6 +178,7 @@ Polycube quantize(const SurfaceMesh& mesh, const FeatureShape& shape, const std:
   const auto axis = [&](int chart) { return axis_of(shape.charts[chart].label); };
 
   std::array<Terms, 3> terms;
+  const auto sharp_degree = sharp_degrees(mesh);
   for (int i = 0; i < shape.arc_count(); ++i) {
     const auto& arc = shape.arcs[i];
     const auto& edge = shape.cells.edges[i];
@@ -174,7 +190,7 @@ Polycube quantize(const SurfaceMesh& mesh, const FeatureShape& shape, const std:
     if (from == to) continue;
     const double t = target(arc.length);
     add_convex_terms(list, from, to, t, std::max(1, options.minimum_intervals), [&](int d) { return interval_cost(t, d, options.arc_curvature); });
-    const int wished = wished_intervals(mesh, edge.vertices, options.largest_sag * h);
+    const int wished = wished_intervals(mesh, edge, sharp_degree, options.largest_sag * h);
     if (wished > options.minimum_intervals) list.push_back({from, to, wished, std::llround(kTermScale * kIntervalWishCost)});
   }
   for (const auto& order : orders) {
@@ -184,6 +200,7 @@ Polycube quantize(const SurfaceMesh& mesh, const FeatureShape& shape, const std:
     const double cost = kOrderCost + (kOrderCostMany - kOrderCost) * std::min(1.0, order.count / 8.0);
     const double lines = kLineCost * order.lines, gap_cost = kGapCost * std::min(1.0, order.count / 4.0) + lines / (1 + lines / kLineCostMost);
     list.push_back({from, to, 1, std::llround(kTermScale * cost)});
+    if (order.pieces > 1) list.push_back({from, to, order.pieces, std::llround(kTermScale * kIntervalWishCost)});
     const double t = target(order.gap);
     add_convex_terms(list, from, to, t, 1, [&](int d) { return gap_cost * interval_cost(t, d, 0); });
   }
