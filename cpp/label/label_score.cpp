@@ -59,8 +59,8 @@ void LabelScorer::build_charts(const MacroGraph& graph, const std::vector<Label>
     return graph.node_darts[i];
   };
   dart_arc_.assign(2 * edges, -1);
-  arc_edges_.clear();
-  arc_edges_first_.assign(1, 0);
+  arc_darts_.clear();
+  arc_darts_first_.assign(1, 0);
   const auto trace = [&](int first) {
     ChartGraph::Arc arc;
     arc.left = site_chart[graph.left_of(first)];
@@ -72,7 +72,7 @@ void LabelScorer::build_charts(const MacroGraph& graph, const std::vector<Label>
       const auto& e = graph.edges[dart / 2];
       dart_arc_[dart] = 2 * id;
       dart_arc_[dart ^ 1] = 2 * id + 1;
-      arc_edges_.push_back(dart / 2);
+      arc_darts_.push_back(dart);
       arc.length += e.length;
       arc.dihedral += e.length * e.dihedral;
       if (dart % 2 == 0)
@@ -87,7 +87,7 @@ void LabelScorer::build_charts(const MacroGraph& graph, const std::vector<Label>
     arc.end = end < 0 ? -1 : node_corner_[end];
     if (arc.length > 0) arc.dihedral /= arc.length;
     charts.arcs.push_back(arc);
-    arc_edges_first_.push_back(static_cast<int>(arc_edges_.size()));
+    arc_darts_first_.push_back(static_cast<int>(arc_darts_.size()));
   };
   for (int n : corner_node_)
     for (int i = graph.node_first[n]; i < graph.node_first[n + 1]; ++i) {
@@ -127,10 +127,54 @@ void LabelScorer::build_charts(const MacroGraph& graph, const std::vector<Label>
   }
 }
 
-double LabelScorer::backward(int a) const {
-  if (checker.axis[a] < 0 || charts.arcs[a].start < 0) return 0;
-  const double against = -checker.sign[a] * charts.arcs[a].displacement[checker.axis[a]] / size_ - kBackward;
-  return against > 0 ? 0.3 * std::min(1.0, 0.25 + against) : 0;
+LabelScorer::Backward LabelScorer::backward(const MacroGraph& graph, int a) const {
+  Backward worst;
+  const int axis = checker.axis[a];
+  if (axis < 0 || charts.arcs[a].start < 0) return worst;
+  // Along the arc's direction: the greatest fall from the highest point so far. Whole macro edges at a time, by their own
+  // extremes, so that the cost does not depend on the triangles.
+  const double sign = checker.sign[a];
+  double at = 0, top = 0, start = 0;
+  bool first = true;
+  for (int i = arc_darts_first_[a]; i < arc_darts_first_[a + 1]; ++i) {
+    const auto& e = graph.edges[arc_darts_[i] / 2];
+    const bool forward = arc_darts_[i] % 2 == 0;
+    const double total = e.displacement[axis];
+    if (first) start = e.first[axis] + (forward ? 0 : total);
+    first = false;
+    // Seen from the dart's own start, along `sign`.
+    double step = forward ? total : -total, low = e.low[axis], high = e.high[axis];
+    if (!forward) low -= total, high -= total;
+    if (sign < 0) {
+      step = -step;
+      std::swap(low, high);
+      low = -low;
+      high = -high;
+    }
+    const double inner = forward == (sign > 0) ? e.fall[axis] : e.rise[axis];
+    const double across = top - (at + low);
+    if (across > worst.length) worst = {across, start + sign * top, start + sign * (at + low)};
+    if (inner > worst.length) worst = {inner, start + sign * (at + high), start + sign * (at + low)};
+    top = std::max(top, at + high);
+    at += step;
+  }
+  return worst;
+}
+
+double LabelScorer::backward_defect(const MacroGraph& graph, int a) const {
+  const double excess = backward(graph, a).length / size_ - kBackward;
+  return excess > 0 ? 0.3 * std::min(1.0, 0.25 + excess) : 0;
+}
+
+std::vector<int> LabelScorer::sites_beside(const MacroGraph& graph, int a) const {
+  std::vector<int> sites;
+  for (int i = arc_darts_first_[a]; i < arc_darts_first_[a + 1]; ++i) {
+    sites.push_back(graph.edges[arc_darts_[i] / 2].left);
+    sites.push_back(graph.edges[arc_darts_[i] / 2].right);
+  }
+  std::sort(sites.begin(), sites.end());
+  sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
+  return sites;
 }
 
 LabelScore LabelScorer::score(const MacroGraph& graph, const std::vector<Label>& labels) {
@@ -151,7 +195,7 @@ LabelScore LabelScorer::score(const MacroGraph& graph, const std::vector<Label>&
       result.energy += e.differ + (a == opposite(b) ? e.opposed : 0);
     }
   }
-  for (int a = 0; a < charts.arc_count(); ++a) result.defects += backward(a);
+  for (int a = 0; a < charts.arc_count(); ++a) result.defects += backward_defect(graph, a);
   return result;
 }
 
@@ -159,9 +203,9 @@ void LabelScorer::blame(const MacroGraph& graph, const std::vector<Label>& label
   const int sites = graph.site_count();
   site_blame.assign(sites, 0);
   const auto blame_arc = [&](int a, double weight) {
-    const int count = arc_edges_first_[a + 1] - arc_edges_first_[a];
-    for (int i = arc_edges_first_[a]; i < arc_edges_first_[a + 1]; ++i) {
-      const auto& e = graph.edges[arc_edges_[i]];
+    const int count = arc_darts_first_[a + 1] - arc_darts_first_[a];
+    for (int i = arc_darts_first_[a]; i < arc_darts_first_[a + 1]; ++i) {
+      const auto& e = graph.edges[arc_darts_[i] / 2];
       site_blame[e.left] += weight / count;
       site_blame[e.right] += weight / count;
     }
@@ -204,7 +248,7 @@ void LabelScorer::blame(const MacroGraph& graph, const std::vector<Label>& label
         break;
     }
   for (int a = 0; a < charts.arc_count(); ++a)
-    if (const double b = backward(a); b > 0) blame_arc(a, b);
+    if (const double b = backward_defect(graph, a); b > 0) blame_arc(a, b);
   for (int s = 0; s < sites; ++s)
     if (const double q = graph.defect[s][labels[s]]; q > 0) {
       site_blame[s] += q;

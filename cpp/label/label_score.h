@@ -26,6 +26,15 @@ class LabelScorer {
   /// Blame per site of the labels scored last, for violations and defects; `extra_charts` (may be empty) are blamed with `weight` each.
   void blame(const MacroGraph& graph, const std::vector<Label>& labels, std::vector<double>& site_blame) const;
 
+  /// The way an arc of the labels scored last runs back against its sign, at its worst: from where to where on its axis.
+  struct Backward {
+    double length = 0;  ///< in the part's unit
+    double from = 0, to = 0;
+  };
+  Backward backward(const MacroGraph& graph, int arc) const;
+  /// Sites beside an arc of the labels scored last, each once, in order.
+  std::vector<int> sites_beside(const MacroGraph& graph, int arc) const;
+
   // Of the labels scored last.
   std::vector<int> site_chart;  ///< per site
   ChartGraph charts;
@@ -36,10 +45,11 @@ class LabelScorer {
 
  private:
   void build_charts(const MacroGraph& graph, const std::vector<Label>& labels);
-  double backward(int arc) const;
+
+  double backward_defect(const MacroGraph& graph, int arc) const;
 
   double size_;
-  std::vector<int> parent_, node_corner_, dart_arc_, position_, seen_, arc_edges_, arc_edges_first_, corner_node_;
+  std::vector<int> parent_, node_corner_, dart_arc_, position_, seen_, arc_darts_, arc_darts_first_, corner_node_;
   std::vector<signed char> border_;
 };
 

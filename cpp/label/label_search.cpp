@@ -13,6 +13,7 @@ constexpr std::size_t kOpen = 20000;   // states kept waiting
 constexpr std::size_t kChildren = 60;  // best children of one expansion that are kept
 constexpr int kSitesPerExpansion = 14;
 constexpr int kSplitSites = 5;
+constexpr std::size_t kTurnCuts = 8;  // cuts where an arc turns back, of one expansion
 constexpr double kLeastCosine = -0.3;  // a site never takes a label that its normals oppose more
 constexpr int kAfterBest = 4;          // expansions spent on improving a filled state ...
 constexpr int kAfterBestDefects = 40;  // ... and so many more for each soft defect that it has
@@ -276,8 +277,37 @@ void LabelSearch::split(const LabelState& state, const SiteCut& cut) {
     }
 }
 
+/// Cuts, across the axis of an arc that runs back, through the points where it turns: the sites beside it fall apart there, and
+/// another label on one part gives the turn the corner that it needs.
+std::vector<SiteCut> LabelSearch::cuts_at_turns(const LabelState& state, const int* first, const int* last) {
+  const MacroGraph& graph = tree_.graph(state.cutting);
+  const double h = options_.size;
+  scorer_.score(graph, state.labels);
+  std::vector<SiteCut> cuts;
+  for (int a = 0; a < scorer_.charts.arc_count(); ++a) {
+    const auto back = scorer_.backward(graph, a);
+    if (back.length <= LabelScorer::kBackward * h) continue;
+    for (int s : scorer_.sites_beside(graph, a)) {
+      if (std::find(first, last, s) == last) continue;
+      const int axis = scorer_.checker.axis[a];
+      for (double c : {back.from, back.to}) {
+        if (c < graph.low[s][axis] + 0.05 * h || c > graph.high[s][axis] - 0.05 * h) continue;
+        SiteCut cut;
+        cut.kind = SiteCut::Across;
+        cut.site = s;
+        cut.axis = axis;
+        cut.coordinate = c;
+        cuts.push_back(cut);
+        if (cuts.size() >= kTurnCuts) return cuts;
+      }
+    }
+  }
+  return cuts;
+}
+
 void LabelSearch::expand_splits(const LabelState& state, const int* first, const int* last) {
   const double h = options_.size;
+  for (const SiteCut& cut : cuts_at_turns(state, first, last)) split(state, cut);
   // Tilted faces first: a part of a face square to an axis can only be flattened.
   const MacroGraph& graph = tree_.graph(state.cutting);
   std::vector<int> sites(first, last);

@@ -69,6 +69,7 @@ class LabelSearch {
   void keep_best(const LabelState& state);
   std::vector<int> sites_to_repair(const LabelState& state);
   void expand_labels(const LabelState& state, const int* first, const int* last);
+  std::vector<SiteCut> cuts_at_turns(const LabelState& state, const int* first, const int* last);
   void expand_splits(const LabelState& state, const int* first, const int* last);
   void split(const LabelState& state, const SiteCut& cut);
   void polish();

@@ -61,7 +61,14 @@ void add_edges(const SurfaceMesh& mesh, const Partition& partition, double size,
     e.right = chain.right;
     e.start = chain.start;
     e.end = chain.end;
-    e.displacement = mesh.points[chain.vertices.back()] - mesh.points[chain.vertices.front()];
+    e.first = mesh.points[chain.vertices.front()];
+    for (int v : chain.vertices) {
+      e.displacement = mesh.points[v] - e.first;
+      e.low = e.low.cwiseMin(e.displacement);
+      e.high = e.high.cwiseMax(e.displacement);
+      e.fall = e.fall.cwiseMax(e.high - e.displacement);
+      e.rise = e.rise.cwiseMax(e.displacement - e.low);
+    }
     const double l = std::min(size, std::sqrt(std::min(graph.area[e.left], graph.area[e.right])));
     const double unit = l / graph.total_area;
     double merged = 0;  // length over which equal labels would flatten a sharp edge
