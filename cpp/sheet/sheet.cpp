@@ -80,8 +80,10 @@ std::string insert_sheet(HexComplex& complex, const FeatureShape& shape, const G
 }
 
 SheetReport insert_sheets(HexComplex& complex, const FeatureShape& shape, const Geometry& geometry, const SheetOptions& options,
-                          Context& context) {
+                          Context& context, const SheetJudge& judge) {
   SheetReport report;
+  double score = 0;
+  bool judged = false;                 // `score` is that of `complex`
   std::vector<std::vector<int>> done;  // groups tried: a refused one, or one still smooth after its sheet, is not tried again
   while (report.inserted < options.max_sheets) {
     context.progress("sheet", report.inserted / (report.inserted + 2.0));
@@ -90,17 +92,29 @@ SheetReport insert_sheets(HexComplex& complex, const FeatureShape& shape, const 
                                    [&](const SheetGroup& g) { return std::find(done.begin(), done.end(), name_of(g)) == done.end(); });
     if (next == groups.end()) break;
     done.push_back(name_of(*next));
-    std::vector<int> covered;
     const SheetGroup group = next->floor_chart >= 0 ? *next : join_groups(complex, *next, groups, options, context);
-    const std::string refusal = insert_sheet(complex, shape, geometry, group, options, context, &covered);
-    if (refusal.empty()) {
-      ++report.inserted;
-      report.chart_groups.push_back(std::move(covered));
-    } else {
+    std::vector<int> covered;
+    HexComplex padded = complex;
+    const std::string refusal = insert_sheet(padded, shape, geometry, group, options, context, &covered);
+    if (!refusal.empty()) {
       ++report.refused;
       report.refusals.push_back(refusal);
       context.log("sheet refused: " + refusal);
+      continue;
     }
+    if (judge) {
+      if (!judged) score = judge(complex);
+      judged = true;
+      const double padded_score = judge(padded);
+      if (padded_score < score) {
+        ++report.taken_back;
+        continue;
+      }
+      score = padded_score;
+    }
+    complex = std::move(padded);
+    ++report.inserted;
+    report.chart_groups.push_back(std::move(covered));
   }
   return report;
 }

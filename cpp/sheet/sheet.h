@@ -1,6 +1,7 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #pragma once
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace hexfeature {
 struct SheetOptions {
   double size = 1;
   double smooth_angle = 135;  ///< degrees in the solid between fitted quads above which a sheet is needed
+  double crease_angle = 40;   ///< degrees between the CAD faces' normals above which an edge is not smooth, however the quads lie
   double smooth_share = 0.3;  ///< a border between two charts is smooth when more than this share of its edges is
   double floor_angle = 140;   ///< degrees: a pocket floor's quad with a larger corner at the foot of the wall needs a sheet
   double thickness = 0.3;     ///< of the neighbouring edge, at insertion
@@ -29,7 +31,7 @@ struct SheetGroup {
 };
 
 struct SheetReport {
-  int inserted = 0, refused = 0;
+  int inserted = 0, refused = 0, taken_back = 0;
   std::vector<std::vector<int>> chart_groups;  ///< per inserted sheet (charts it covers; a floor: that chart)
   std::vector<std::string> refusals;           ///< per refused sheet: why
 };
@@ -44,12 +46,15 @@ std::vector<SheetGroup> find_sheet_groups(const HexComplex& complex, const Geome
 std::string insert_sheet(HexComplex& complex, const FeatureShape& shape, const Geometry& geometry, const SheetGroup& group,
                          const SheetOptions& options, Context& context, std::vector<int>* covered = nullptr);
 
+/// How good a complex is once smoothed: larger is better. Supplied by the caller, as this room does not know smoothing.
+using SheetJudge = std::function<double(const HexComplex&)>;
+
 /// Insert O-grid sheets where chart borders lie on smooth surface (design 3.7, experiments B1-B3): one sheet per group of
 /// smoothly joined charts, one after another, measured anew after each; its shrink set chosen as a minimum cut over blocks,
 /// leaving through sharp faces. `complex` must be fitted (fit_boundary). New nodes get positions, shape and CAD places.
-/// A sheet that the local rules forbid is refused and counted. Throws MeshingError(NoMesh, "sheet") only when the
-/// complex that comes in is not a conforming one whose boundary is `quads`.
+/// A sheet that the local rules forbid is refused and counted; with a `judge`, one that makes the complex worse is taken back.
+/// Throws MeshingError(NoMesh, "sheet") only when the complex that comes in is not a conforming one whose boundary is `quads`.
 SheetReport insert_sheets(HexComplex& complex, const FeatureShape& shape, const Geometry& geometry, const SheetOptions& options,
-                          Context& context);
+                          Context& context, const SheetJudge& judge = {});
 
 }  // namespace hexfeature

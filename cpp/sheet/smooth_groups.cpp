@@ -70,11 +70,36 @@ std::vector<Border> convex_borders(const HexComplex& complex, const HexTopology&
   return borders;
 }
 
-bool is_smooth(const HexComplex& complex, const Geometry& geometry, const HexTopology::Edge& edge, double degrees) {
-  if (solid_angle(complex, edge) <= degrees) return false;
-  // A quad folded over at a sharp edge looks smooth, and is not: the CAD edge that the mesh edge follows has the last word.
+// Pairs of CAD faces that share an edge: the least dihedral of their common edges, degrees without sign.
+class FaceAngles {
+ public:
+  explicit FaceAngles(const Geometry& geometry) {
+    if (!geometry.edges) return;
+    for (const CadEdge& e : *geometry.edges) {
+      if (e.degenerate || e.faces[0] == e.faces[1] || e.faces[0] <= 0 || e.faces[1] <= 0) continue;
+      const double degrees = std::abs(e.dihedral) * 180 / EIGEN_PI;
+      const auto [it, fresh] = least_.try_emplace({std::min(e.faces[0], e.faces[1]), std::max(e.faces[0], e.faces[1])}, degrees);
+      if (!fresh) it->second = std::min(it->second, degrees);
+    }
+  }
+  double operator()(int a, int b) const {
+    const auto it = least_.find({std::min(a, b), std::max(a, b)});
+    return it == least_.end() ? 0 : it->second;
+  }
+
+ private:
+  std::map<std::array<int, 2>, double> least_;
+};
+
+// The CAD has the last word: a quad folded over at a sharp edge looks smooth and is not; nor is a chamfer, whose 135 degrees one
+// hexahedron bears well.
+bool is_smooth(const HexComplex& complex, const Geometry& geometry, const FaceAngles& angles, const HexTopology::Edge& edge,
+               const SheetOptions& options) {
+  if (solid_angle(complex, edge) <= options.smooth_angle) return false;
   const int cad = feature_of(complex, edge.nodes[0], edge.nodes[1]);
-  return cad == 0 || !geometry.edges || std::abs(geometry.edge(cad).dihedral) * 180 / EIGEN_PI < 180 - degrees;
+  const double crease = cad > 0 && geometry.edges ? std::abs(geometry.edge(cad).dihedral) * 180 / EIGEN_PI
+                                                  : angles(complex.quad_face[edge.quads[0]], complex.quad_face[edge.quads[1]]);
+  return crease < options.crease_angle;
 }
 
 // Border edges of a chart that are the foot of a wall, joined where they share a node, when the chart has on them a quad whose corner
@@ -129,8 +154,9 @@ std::vector<SheetGroup> find_sheet_groups(const HexComplex& complex, const Geome
   int chart_count = 0;
   for (int c : complex.quad_chart) chart_count = std::max(chart_count, c + 1);
   Forest charts(chart_count);
+  const FaceAngles angles(geometry);
   for (Border& b : borders) {
-    for (int e : b.edges) b.smooth += is_smooth(complex, geometry, topology.edges[e], options.smooth_angle);
+    for (int e : b.edges) b.smooth += is_smooth(complex, geometry, angles, topology.edges[e], options);
     if (b.smooth > options.smooth_share * b.edges.size()) charts.join(b.charts[0], b.charts[1]);
   }
   std::vector<int> group_of(chart_count, -1);

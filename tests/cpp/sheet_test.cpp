@@ -189,6 +189,28 @@ TEST_CASE("at most so many sheets; a refused sheet leaves the complex alone; the
   CHECK(part.complex.hexes == before);
 }
 
+TEST_CASE("a judge takes sheets back") {
+  auto part = flange_part();
+  const auto before = part.complex.hexes;
+  Context context;
+  SheetReport report =
+      insert_sheets(part.complex, part.shape, part.geometry(), {}, context, [](const HexComplex& c) { return -c.hex_count(); });
+  CHECK(report.inserted == 0);
+  CHECK(report.taken_back == 2);
+  CHECK(part.complex.hexes == before);
+  report = insert_sheets(part.complex, part.shape, part.geometry(), {}, context, [](const HexComplex& c) { return c.hex_count(); });
+  CHECK(report.inserted == 2);
+}
+
+TEST_CASE("an edge that is sharp in the CAD needs no sheet, however its quads lie") {
+  auto part = cylinder_part(3);
+  for (auto& e : part.edges) e.dihedral = 0;  // the rims would count as smooth now
+  CHECK(find_sheet_groups(part.complex, part.geometry(), {}).size() == 1);
+  SheetOptions strict;
+  strict.crease_angle = 0;  // nothing is smooth
+  CHECK(find_sheet_groups(part.complex, part.geometry(), strict).empty());
+}
+
 TEST_CASE("a complex that is none is an error") {
   auto part = block_part();
   part.complex.quads.pop_back();
