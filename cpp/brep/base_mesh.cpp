@@ -111,6 +111,7 @@ class Builder {
     };
     std::vector<Segment> segments;
     std::vector<int> pole_node(cad_.vertices.size(), -1);
+    std::vector<signed char> free_parameter(n, -1);
     for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
       const TopoDS_Edge edge = TopoDS::Edge(edges.Current());
       const int e = cad_.edge_map.FindIndex(edge);
@@ -126,6 +127,7 @@ class Builder {
         return;
       }
       const bool degenerate = cad_.edge(e).kind == EdgeGeometry::Kind::None;
+      const Vec2 run = to_eigen(tri->UVNode(polygon->Node(m))) - to_eigen(tri->UVNode(polygon->Node(1)));
       for (int i = 0; i < m; ++i) {
         const int k = polygon->Node(i + 1) - 1;
         point[k] = c.points[i];
@@ -133,6 +135,7 @@ class Builder {
           int& pole = pole_node[mesh.place[c.points[i]].entity - 1];
           if (pole < 0) pole = k;
           node[k] = pole;
+          free_parameter[k] = std::abs(run[0]) >= std::abs(run[1]) ? 0 : 1;
         } else if (i > 0) {
           const int j = polygon->Node(i) - 1;
           segments.push_back({std::min(j, k), std::max(j, k), e, i - 1, j < k});
@@ -155,6 +158,7 @@ class Builder {
       }
     const bool flip = face.Orientation() == TopAbs_REVERSED;
     std::vector<Side> sides;
+    const int first_corner = 3 * mesh.triangle_count();
     for (int i = 1; i <= tri->NbTriangles(); ++i) {
       int k[3];
       tri->Triangle(i).Get(k[0], k[1], k[2]);
@@ -170,6 +174,7 @@ class Builder {
       mesh.triangle_side.push_back(face.Orientation() == cad_.face_map(f).Orientation() ? 1 : -1);
       for (int c = 0; c < 3; ++c) {
         mesh.corner_uv.push_back(to_eigen(tri->UVNode(k[c] + 1)));
+        mesh.corner_free.push_back(free_parameter[k[c]]);
         mesh.halfedge_edge.push_back(0);
         mesh.halfedge_t.push_back(Vec2::Zero());
         mesh.opposite.push_back(-1);
@@ -187,6 +192,7 @@ class Builder {
         }
       }
     }
+    for (int h = first_corner; h < 3 * mesh.triangle_count(); ++h) mesh.settle_pole(h);
     std::sort(sides.begin(), sides.end());
     for (std::size_t i = 0; i < sides.size();) {
       if (i + 1 < sides.size() && sides[i].a == sides[i + 1].a && sides[i].b == sides[i + 1].b &&
@@ -244,6 +250,7 @@ void turn_outward(CadTables& cad, BaseMesh& mesh) {
       // Corner 0 stays; halfedges 0 1 2 become 2 1 0 reversed.
       std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
       std::swap(mesh.corner_uv[3 * t + 1], mesh.corner_uv[3 * t + 2]);
+      std::swap(mesh.corner_free[3 * t + 1], mesh.corner_free[3 * t + 2]);
       std::swap(mesh.halfedge_edge[3 * t], mesh.halfedge_edge[3 * t + 2]);
       std::swap(mesh.halfedge_t[3 * t], mesh.halfedge_t[3 * t + 2]);
       std::swap(mesh.opposite[3 * t], mesh.opposite[3 * t + 2]);

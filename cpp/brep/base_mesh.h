@@ -25,11 +25,22 @@ struct BaseMesh {
   std::vector<int> triangle_solid;            ///< per triangle: 1-based solid
   std::vector<int> triangle_side;  ///< per triangle: -1 where its solid is on the outward side of the face (shared faces), else 1
   std::vector<Vec2> corner_uv;     ///< 3 per triangle
+  std::vector<signed char>
+      corner_free;                 ///< 3 per triangle: at a pole of the corner's face, the parameter (0, 1) that is free there; else -1
   std::vector<int> halfedge_edge;  ///< 3 per triangle: 1-based CAD edge or 0
   std::vector<Vec2> halfedge_t;    ///< 3 per triangle: parameters of that edge at the halfedge's start and end
   std::vector<int> opposite;       ///< 3 per triangle
 
   int triangle_count() const { return static_cast<int>(triangles.size()); }
+  /// A pole's free parameter, as the rest of the triangle suggests it.
+  void settle_pole(int h) {
+    const int k = corner_free[h];
+    if (k < 0) return;
+    const int a = h - h % 3 + (h + 1) % 3, b = h - h % 3 + (h + 2) % 3;
+    corner_uv[h][k] = corner_free[a] == k   ? corner_uv[b][k]
+                      : corner_free[b] == k ? corner_uv[a][k]
+                                            : 0.5 * (corner_uv[a][k] + corner_uv[b][k]);
+  }
   int from(int h) const { return triangles[h / 3][h % 3]; }
   int to(int h) const { return triangles[h / 3][(h + 1) % 3]; }
 };

@@ -2,6 +2,8 @@
 #include "brep/edge_geometry.h"
 
 #include <BRep_Tool.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
+#include <GeomAdaptor_Curve.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_Line.hxx>
@@ -184,6 +186,7 @@ double EdgeGeometry::length(double a, double b) const {
   if (kind == Kind::None) return 0;
   if (kind == Kind::Line) return b - a;
   if (kind == Kind::Circle) return radius * (b - a);
+  if (a <= t0 && b >= t1) return GCPnts_AbscissaPoint::Length(GeomAdaptor_Curve(curve), t0, t1);
   // Gauss, 4 points on each of 8 pieces.
   constexpr double node[4] = {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526};
   constexpr double weight[4] = {0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538};

@@ -103,6 +103,21 @@ TopoDS_Shape read_iges(const std::string& path, Context& context) {
   return transfer(reader, path, "IGES", context);
 }
 
+/// OCCT's reader trusts the counts in the text and would go on past its end for ever: the stream throws there instead.
+TopoDS_Shape parse_brep(const std::string& text) {
+  std::istringstream in(text + "\n\n");
+  in.exceptions(std::ios::eofbit | std::ios::failbit | std::ios::badbit);
+  TopoDS_Shape shape;
+  BRep_Builder builder;
+  try {
+    BRepTools::Read(shape, in, builder);
+  } catch (const std::ios_base::failure&) {
+    bad_input("the B-rep is truncated or no B-rep at all", "export the part again");
+  }
+  if (shape.IsNull()) bad_input("the B-rep holds no shape", "export the part again; from FreeCAD: shape.exportBrepToString()");
+  return shape;
+}
+
 std::vector<TopoDS_Shape> solids_of(const TopoDS_Shape& shape) {
   TopTools_IndexedMapOfShape map;
   TopExp::MapShapes(shape, TopAbs_SOLID, map);
@@ -226,10 +241,8 @@ std::unique_ptr<CadModel> read_cad(const std::string& path, Context& context) {
     if (ending == ".step" || ending == ".stp") return make_model(read_step(path, context), context);
     if (ending == ".iges" || ending == ".igs") return make_model(read_iges(path, context), context);
     if (ending == ".brep" || ending == ".brp") {
-      TopoDS_Shape shape;
-      BRep_Builder builder;
-      if (!BRepTools::Read(shape, path.c_str(), builder)) bad_input("'" + path + "' is not a readable BREP file", "export the part again");
-      return make_model(shape, context);
+      std::ifstream in(path, std::ios::binary);
+      return make_model(parse_brep(std::string(std::istreambuf_iterator<char>(in), {})), context);
     }
     bad_input("'" + ending + "' is no CAD file that can be read", "use .step, .iges or .brep");
   });
@@ -238,14 +251,7 @@ std::unique_ptr<CadModel> read_cad(const std::string& path, Context& context) {
 std::unique_ptr<CadModel> read_brep_string(const std::string& text, Context& context) {
   silence_occt();
   context.progress("read", 0);
-  return guarded("read", "the B-rep text cannot be read", [&] {
-    std::istringstream in(text);
-    TopoDS_Shape shape;
-    BRep_Builder builder;
-    BRepTools::Read(shape, in, builder);
-    if (shape.IsNull()) bad_input("the B-rep text holds no shape", "give the text of shape.exportBrepToString()");
-    return make_model(shape, context);
-  });
+  return guarded("read", "the B-rep text cannot be read", [&] { return make_model(parse_brep(text), context); });
 }
 
 }  // namespace hexfeature

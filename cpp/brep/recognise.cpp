@@ -119,6 +119,41 @@ void recognise(const std::vector<Vec3>& world, const std::vector<Vec3>& normals,
       }
     }
   }
+  {  // Torus: the normals' lines all meet the axis: n . m + (p x n) . a = 0 for its direction a and moment m.
+    double size = 0;
+    for (const Vec3& p : points) size = std::max(size, p.norm());
+    using Vec6 = Eigen::Matrix<double, 6, 1>;
+    Eigen::Matrix<double, 6, 6> a = Eigen::Matrix<double, 6, 6>::Zero();
+    for (int i = 0; i < n; ++i) {
+      Vec6 row;
+      row << points[i].cross(normals[i]) / size, normals[i];
+      a += row * row.transpose() / n;
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> lines(a);
+    const Vec3 direction = lines.eigenvectors().col(0).head<3>(), moment = lines.eigenvectors().col(0).tail<3>() * size;
+    if (direction.norm() < 1e-3) return;
+    const Vec3 unit = direction.normalized(), foot = unit.cross(moment / direction.norm());
+    std::vector<Vec3> meridian(n);
+    for (int i = 0; i < n; ++i) {
+      const Vec3 d = points[i] - foot;
+      meridian[i] = {d.cross(unit).norm(), d.dot(unit), 0};
+    }
+    Vec2 centre;
+    double radius = 0;
+    bool fits = fit_circle(meridian, Vec3::UnitX(), Vec3::UnitY(), centre, radius) && centre[0] > radius;
+    for (int i = 0; i < n && fits; ++i) {
+      const Vec3 d = points[i] - foot, ring = foot + centre[1] * unit + centre[0] * (d - d.dot(unit) * unit).normalized();
+      const Vec3 away = points[i] - ring;
+      fits = std::abs(away.norm() - radius) < tolerance && normals[i].cross(away).norm() < 10 * kAngle * radius;
+    }
+    if (fits) {
+      face.kind = SurfaceKind::Torus;
+      face.origin = middle + foot + centre[1] * unit;
+      face.axis = unit;
+      face.radius = centre[0];
+      face.radius2 = radius;
+    }
+  }
 }
 
 }  // namespace hexfeature

@@ -15,12 +15,7 @@ Refiner::Refiner(const CadModel& model, double edge_length, double plane_length,
       turn_cosine_(std::cos(1.3 * 2 * EIGEN_PI / std::max(segments_per_turn, 4))),
       shortest_(0.03 * edge_length) {
   planar_.resize(cad_.faces.size());
-  for (std::size_t f = 0; f < cad_.faces.size(); ++f) planar_[f] = cad_.faces[f].native == SurfaceKind::Plane;
-  singular_.assign(mesh.points.size(), 0);
-  std::vector<char> pole(cad_.vertices.size() + 1, 0);
-  for (const CadEdge& e : model.edges)
-    if (e.degenerate) pole[std::max(e.vertices[0], e.vertices[1])] = 1;
-  for (std::size_t i = 0; i < mesh.points.size(); ++i) singular_[i] = mesh.place[i].dim == 0 && pole[mesh.place[i].entity];
+  for (std::size_t f = 0; f < cad_.faces.size(); ++f) planar_[f] = model.faces[f].kind == SurfaceKind::Plane;
   corner_normals.resize(mesh.corner_uv.size());
   for (int t = 0; t < mesh.triangle_count(); ++t) {
     const Vec2 inside = (mesh.corner_uv[3 * t] + mesh.corner_uv[3 * t + 1] + mesh.corner_uv[3 * t + 2]) / 3;
@@ -43,7 +38,7 @@ double Refiner::excess(int h) const {
   if (e != 0) {
     const EdgeGeometry& g = cad_.edge(e);
     if (g.kind != EdgeGeometry::Kind::Line) cosine = g.tangent(mesh.halfedge_t[h][0]).dot(g.tangent(mesh.halfedge_t[h][1]));
-  } else if (singular_[mesh.from(h)] == 0 && singular_[mesh.to(h)] == 0) {
+  } else if (mesh.corner_free[h] < 0 && mesh.corner_free[next(h)] < 0) {
     cosine = corner_normals[h].dot(corner_normals[next(h)]);
   }
   return cosine < turn_cosine_ ? 1.01 : ratio;
@@ -76,6 +71,7 @@ int Refiner::add_triangle_like(int t) {
   for (int c = 0; c < 3; ++c) {
     mesh.corner_uv.push_back(Vec2(mesh.corner_uv[3 * t + c]));
     corner_normals.push_back(Vec3(corner_normals[3 * t + c]));
+    mesh.corner_free.push_back(static_cast<signed char>(mesh.corner_free[3 * t + c]));
     mesh.halfedge_edge.push_back(mesh.halfedge_edge[3 * t + c]);
     mesh.halfedge_t.push_back(Vec2(mesh.halfedge_t[3 * t + c]));
     mesh.opposite.push_back(mesh.opposite[3 * t + c]);
@@ -86,7 +82,14 @@ int Refiner::add_triangle_like(int t) {
 void Refiner::split(int h) {
   const int g = mesh.opposite[h], e = mesh.halfedge_edge[h];
   const int m = static_cast<int>(mesh.points.size());
-  Vec2 uv[2] = {0.5 * (mesh.corner_uv[h] + mesh.corner_uv[next(h)]), 0.5 * (mesh.corner_uv[g] + mesh.corner_uv[next(g)])};
+  Vec2 uv[2];
+  for (int s = 0; s < 2; ++s) {
+    const int a = s == 0 ? h : g, b = next(a);
+    uv[s] = 0.5 * (mesh.corner_uv[a] + mesh.corner_uv[b]);
+    // From a pole the edge runs along the other end's free parameter.
+    if (const int k = mesh.corner_free[a]; k >= 0) uv[s][k] = mesh.corner_uv[b][k];
+    if (const int k = mesh.corner_free[b]; k >= 0) uv[s][k] = mesh.corner_uv[a][k];
+  }
   double t = 0;
   if (e != 0) {
     t = middle_of(e, mesh.halfedge_t[h][0], mesh.halfedge_t[h][1]);
@@ -101,7 +104,7 @@ void Refiner::split(int h) {
   } else {
     const int f = mesh.triangle_face[h / 3];
     const FaceGeometry& face = cad_.face(f);
-    uv[0] = uv[1] = 0.5 * (uv[0] + uv[1]);  // the two differ next to a pole alone
+    uv[0] = uv[1] = 0.5 * (uv[0] + uv[1]);
     if (face.native == SurfaceKind::Sphere || face.native == SurfaceKind::Cone) {
       // Round a pole the middle in parameters is far from the middle in space.
       Vec2 foot;
@@ -110,7 +113,6 @@ void Refiner::split(int h) {
     mesh.points.push_back(face.point(uv[0]));
     mesh.place.push_back({2, f, uv[0]});
   }
-  singular_.push_back(0);
 
   int added[2];
   for (int s = 0; s < 2; ++s) {
@@ -123,9 +125,11 @@ void Refiner::split(int h) {
     mesh.triangles[triangle][b % 3] = m;
     mesh.corner_uv[b] = uv[s];
     corner_normals[b] = n;
+    mesh.corner_free[b] = -1;
     mesh.triangles[fresh][a % 3] = m;
     mesh.corner_uv[a2] = uv[s];
     corner_normals[a2] = n;
+    mesh.corner_free[a2] = -1;
     if (e != 0) {
       mesh.halfedge_t[a][1] = t;
       mesh.halfedge_t[a2][0] = t;
@@ -135,6 +139,10 @@ void Refiner::split(int h) {
     mesh.halfedge_edge[b] = mesh.halfedge_edge[c2] = 0;
     mesh.opposite[b] = c2;
     mesh.opposite[c2] = b;
+    for (int k = 0; k < 3; ++k) {
+      mesh.settle_pole(3 * triangle + k);
+      mesh.settle_pole(3 * fresh + k);
+    }
   }
   const int h2 = 3 * added[0] + h % 3, g2 = 3 * added[1] + g % 3;
   mesh.opposite[h] = g2;
@@ -171,7 +179,7 @@ bool Refiner::flip_if_better(int h) {
       const Vec2 u = mesh.corner_uv[j] - mesh.corner_uv[i], v = mesh.corner_uv[k] - mesh.corner_uv[i];
       return u[0] * v[1] - u[1] * v[0];
     };
-    if (singular_[a] == 0 && singular_[b] == 0 && singular_[c] == 0 && singular_[d] == 0) {
+    if (mesh.corner_free[ia] < 0 && mesh.corner_free[ib] < 0 && mesh.corner_free[ic] < 0 && mesh.corner_free[id] < 0) {
       const double sense = turned(ia, ib, ic);
       if (turned(ia, id, ic) * sense <= 0 || turned(id, ib, ic) * sense <= 0) return false;
     }
@@ -202,18 +210,20 @@ bool Refiner::flip_if_better(int h) {
     mesh.halfedge_edge[i] = o.edge;
     mesh.halfedge_t[i] = o.t;
   };
-  const auto corner = [&](int i, int point, const Vec2& parameters, const Vec3& n) {
+  const signed char free[4] = {mesh.corner_free[ia], mesh.corner_free[ib], mesh.corner_free[ic], mesh.corner_free[id]};
+  const auto corner = [&](int i, int point, const Vec2& parameters, const Vec3& n, signed char pole) {
     mesh.triangles[i / 3][i % 3] = point;
+    mesh.corner_free[i] = pole;
     mesh.corner_uv[i] = parameters;
     corner_normals[i] = n;
   };
   const int t0 = 3 * t, s0 = 3 * s;
-  corner(t0, a, uv_a, normal[0]);
-  corner(t0 + 1, d, uv[3], normal[3]);
-  corner(t0 + 2, c, uv[2], normal[2]);
-  corner(s0, b, uv_b, normal[1]);
-  corner(s0 + 1, c, uv[2], normal[2]);
-  corner(s0 + 2, d, uv[3], normal[3]);
+  corner(t0, a, uv_a, normal[0], free[0]);
+  corner(t0 + 1, d, uv[3], normal[3], free[3]);
+  corner(t0 + 2, c, uv[2], normal[2], free[2]);
+  corner(s0, b, uv_b, normal[1], free[1]);
+  corner(s0 + 1, c, uv[2], normal[2], free[2]);
+  corner(s0 + 2, d, uv[3], normal[3], free[3]);
   // Two of the outer sides may face each other (a point of valence three): then set() of the second repairs the first.
   const auto moved = [&](int old) { return old == ib ? s0 : old == ic ? t0 + 2 : old == next(g) ? t0 : old == id ? s0 + 2 : old; };
   Outer sides[4] = {ad, ca_side, bc, db_side};
@@ -225,6 +235,10 @@ bool Refiner::flip_if_better(int h) {
   mesh.opposite[t0 + 1] = s0 + 1;
   mesh.opposite[s0 + 1] = t0 + 1;
   mesh.halfedge_edge[t0 + 1] = mesh.halfedge_edge[s0 + 1] = 0;
+  for (int k = 0; k < 3; ++k) {
+    mesh.settle_pole(t0 + k);
+    mesh.settle_pole(s0 + k);
+  }
   return true;
 }
 
@@ -287,6 +301,16 @@ void Refiner::run(Context& context) {
       flip_all(context);
     else if (level == 1.0)
       break;
+  }
+}
+
+void Refiner::settle_poles() {
+  for (int h = 0; h < 3 * mesh.triangle_count(); ++h) {
+    if (mesh.corner_free[h] < 0) continue;
+    mesh.settle_pole(h);
+    const int t = h / 3;
+    corner_normals[h] =
+        normal_at(t, mesh.corner_uv[h], (mesh.corner_uv[3 * t] + mesh.corner_uv[3 * t + 1] + mesh.corner_uv[3 * t + 2]) / 3);
   }
 }
 

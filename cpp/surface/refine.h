@@ -22,6 +22,8 @@ class Refiner {
 
   /// Split until no edge is too long, flipping on the way.
   void run(Context& context);
+  /// Normals at poles, as the triangles have become.
+  void settle_poles();
   /// Split edges whose two points are those of another edge too, so that points alone tell edges apart.
   void separate_double_edges(Context& context);
 
@@ -44,8 +46,7 @@ class Refiner {
   const CadModel& model_;
   const CadTables& cad_;
   double edge_length_, plane_length_, turn_cosine_, shortest_;
-  std::vector<char> planar_;    ///< per CAD face
-  std::vector<char> singular_;  ///< per point: a pole of some face
+  std::vector<char> planar_;  ///< per CAD face
   std::vector<int> stack_;
   std::vector<char> queued_;
 };

@@ -15,6 +15,7 @@ SurfaceMesh triangulate(const CadModel& model, const SurfaceOptions& options, Co
     Refiner refiner(model, options.edge_factor * options.size, options.plane_factor * options.size, options.segments_per_turn);
     refiner.run(context);
     refiner.separate_double_edges(context);
+    refiner.settle_poles();
     context.progress("surface", 0.8);
 
     const BaseMesh& from = refiner.mesh;
