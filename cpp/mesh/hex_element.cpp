@@ -11,6 +11,12 @@ namespace {
 
 using Coefficients = std::array<double, 27>;
 
+std::array<Vec3, 8> corners_of(const std::vector<Vec3>& points, const std::array<int, 8>& hex) {
+  std::array<Vec3, 8> x;
+  for (int k = 0; k < 8; ++k) x[k] = points[hex[k]];
+  return x;
+}
+
 double scaled_determinant(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double lengths = std::sqrt(a.squaredNorm() * b.squaredNorm() * c.squaredNorm());
   return a.dot(b.cross(c)) / std::max(lengths, 1e-300);
@@ -45,11 +51,7 @@ bool positive(const Coefficients& b, int depth) {
 
 }  // namespace
 
-double scaled_jacobian(const std::vector<Vec3>& points, const std::array<int, 8>& hex) {
-  std::array<Vec3, 8> x;
-  for (int k = 0; k < 8; ++k) x[k] = points[hex[k]];
-  return scaled_jacobian(x);
-}
+double scaled_jacobian(const std::vector<Vec3>& points, const std::array<int, 8>& hex) { return scaled_jacobian(corners_of(points, hex)); }
 
 double scaled_jacobian(const std::array<Vec3, 8>& x) {
   double least = 2;
@@ -65,10 +67,14 @@ double scaled_jacobian(const std::array<Vec3, 8>& x) {
 }
 
 std::array<double, 27> jacobian_bernstein(const std::vector<Vec3>& points, const std::array<int, 8>& hex) {
+  return jacobian_bernstein(corners_of(points, hex));
+}
+
+std::array<double, 27> jacobian_bernstein(const std::array<Vec3, 8>& corners) {
   // Node of the cube's corner (r, s, t) at 4 r + 2 s + t.
   constexpr int node[8] = {0, 4, 3, 7, 1, 5, 2, 6};
   std::array<Vec3, 8> x;
-  for (int k = 0; k < 8; ++k) x[k] = points[hex[node[k]]];
+  for (int k = 0; k < 8; ++k) x[k] = corners[node[k]];
   // Edge vectors along r at (s, t), along s at (r, t), along t at (r, s).
   Vec3 dr[2][2], ds[2][2], dt[2][2];
   for (int a = 0; a < 2; ++a)
@@ -109,7 +115,11 @@ double bernstein_minimum(const std::vector<Vec3>& points, const std::array<int, 
 }
 
 bool proves_positive(const std::vector<Vec3>& points, const std::array<int, 8>& hex, int depth) {
-  const Coefficients b = jacobian_bernstein(points, hex);
+  return proves_positive(corners_of(points, hex), depth);
+}
+
+bool proves_positive(const std::array<Vec3, 8>& corners, int depth) {
+  const Coefficients b = jacobian_bernstein(corners);
   for (double c : b)
     if (!std::isfinite(c)) return false;
   return positive(b, depth);

@@ -20,6 +20,7 @@ double scaled_jacobian(const std::array<Vec3, 8>& corners);
 /// element, and their mean is exactly its volume. Unit: volume.
 /// Source: Johnen, Remacle, Geuzaine, "Geometrical validity of curvilinear finite elements", J. Comput. Phys. 233, 2013.
 std::array<double, 27> jacobian_bernstein(const std::vector<Vec3>& points, const std::array<int, 8>& hex);
+std::array<double, 27> jacobian_bernstein(const std::array<Vec3, 8>& corners);
 
 /// Least of the 27 Bernstein coefficients over the mean edge length cubed. > 0 proves the element injective.
 double bernstein_minimum(const std::vector<Vec3>& points, const std::array<int, 8>& hex);
@@ -27,6 +28,7 @@ double bernstein_minimum(const std::vector<Vec3>& points, const std::array<int, 
 /// Whether the Jacobian determinant is positive on the whole element: proved by the coefficients, which are made sharper by
 /// halving the cube (de Casteljau) where they do not decide, at most `depth` times. False when not proved.
 bool proves_positive(const std::vector<Vec3>& points, const std::array<int, 8>& hex, int depth = 4);
+bool proves_positive(const std::array<Vec3, 8>& corners, int depth = 4);
 
 /// Exact volume. Unit: volume.
 double hex_volume(const std::vector<Vec3>& points, const std::array<int, 8>& hex);

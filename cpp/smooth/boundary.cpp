@@ -83,6 +83,10 @@ void Boundary::snap(std::vector<double>& x) {
   for (std::size_t i = 0; i < node_.size(); ++i) at(x, node_[i]) = feet_.origin[i] = feet_.foot[i];
 }
 
+void Boundary::place_on_feet(std::vector<double>& x) const {
+  for (std::size_t i = 0; i < node_.size(); ++i) at(x, node_[i]) = feet_.foot[i];
+}
+
 void Boundary::hold_at_rims(const std::vector<double>& gradient) {
   for (std::size_t i = 0; i < node_.size(); ++i) {
     if (dim_[i] == 0) continue;

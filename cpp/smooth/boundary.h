@@ -36,6 +36,8 @@ class Boundary {
   void restore(Feet feet) { feet_ = std::move(feet); }
   /// Put all boundary points onto their feet: the CAD's own points, exactly.
   void snap(std::vector<double>& x);
+  /// Only look: x with its boundary points on the feet.
+  void place_on_feet(std::vector<double>& x) const;
 
   /// Where a foot is on the rim of its face (or at the end of its curve) and the descent leads outward, the point may from
   /// now on move along the rim only. Call before a descent on the tangent spaces.

@@ -43,39 +43,95 @@ inline Lanes to_power(Lanes q, int p) {
   return q;
 }
 
+/// Three edges of the hexahedron that span a tetrahedron: from and to node of each.
+struct Frame {
+  int from[3], to[3];
+};
+constexpr int kCorners = 8, kAllFrames = 32;
+constexpr double kMixedWeight = 1.0 / 3.0;
+
+/// The 8 corners, then the 24 mixed frames (see the header).
+struct FrameTable {
+  Frame frame[kAllFrames];
+  FrameTable() {
+    for (int k = 0; k < kCorners; ++k)
+      for (int i = 0; i < 3; ++i) frame[k].from[i] = kHexCorners[k][0], frame[k].to[i] = kHexCorners[k][i + 1];
+    constexpr int node[2][2][2] = {{{0, 4}, {3, 7}}, {{1, 5}, {2, 6}}};  // of the cube's corner (r, s, t)
+    int count = kCorners;
+    for (int axis = 0; axis < 3; ++axis)
+      for (int side = 0; side < 4; ++side)
+        for (int end = 0; end < 2; ++end) {
+          const int others[2] = {(axis + 1) % 3, (axis + 2) % 3};
+          int corner[3];
+          corner[others[0]] = side & 1;
+          corner[others[1]] = side / 2;
+          const auto put = [&](int direction) {
+            int low[3] = {corner[0], corner[1], corner[2]}, high[3] = {corner[0], corner[1], corner[2]};
+            low[direction] = 0;
+            high[direction] = 1;
+            frame[count].from[direction] = node[low[0]][low[1]][low[2]];
+            frame[count].to[direction] = node[high[0]][high[1]][high[2]];
+          };
+          corner[axis] = 0;
+          put(axis);
+          corner[axis] = end;
+          put(others[0]);
+          corner[axis] = 1 - end;
+          put(others[1]);
+          ++count;
+        }
+  }
+};
+const FrameTable kFrames;
+
 }  // namespace
 
-double HexEnergy::ideal(const EnergyTerms& terms) {
-  const double shape = (1 - terms.theta) * 3 + terms.theta * 2;
-  return 8 * (terms.power > 0 ? 1 + terms.shape_weight * shape : shape);
+int HexEnergy::frame_count(int group) const { return thorough_[group] ? kAllFrames : kCorners; }
+
+double HexEnergy::floor(const EnergyTerms& terms) const {
+  const double shape = (1 - terms.theta) * 3 + terms.theta * 2, one = terms.power > 0 ? 1 + terms.shape_weight * shape : shape;
+  double total = 0;
+  for (std::size_t g = 0; g < thorough_.size(); ++g)
+    for (int l = 0; l < kLanes; ++l)
+      total += weight_[g * kLanes + l] * one * (kCorners + (thorough_[g] ? kMixedWeight * (kAllFrames - kCorners) : 0));
+  return total;
 }
 
 HexEnergy::HexEnergy(const std::vector<std::array<int, 8>>& hexes, int points, const std::vector<double>& target,
-                     const std::vector<double>& shortest, Workers& workers)
+                     const std::vector<double>& shortest, const std::vector<char>& thorough, Workers& workers)
     : hexes_(static_cast<int>(hexes.size())), points_(points), workers_(workers) {
   const int groups = (hexes_ + kLanes - 1) / kLanes;
   nodes_.resize(8 * kLanes * groups);
   inverse_size_.resize(kLanes * groups);
   shortest_.resize(kLanes * groups);
   weight_.assign(kLanes * groups, 0.0);
+  thorough_.assign(groups, 0);
   parts_.resize(groups);
   start_.assign(points + 1, 0);
+  incident_.resize(8 * hexes_);
+  if (hexes_ == 0) return;
+  // Thorough elements first, so that they share groups.
+  std::vector<int> order;
+  order.reserve(hexes_);
+  for (char kind : {1, 0})
+    for (int h = 0; h < hexes_; ++h)
+      if ((thorough[h] != 0) == (kind != 0)) order.push_back(h);
   for (int i = 0; i < kLanes * groups; ++i) {
-    const int h = std::min(i, hexes_ - 1), lane = i % kLanes;
+    const int h = order[std::min(i, hexes_ - 1)], lane = i % kLanes, group = i / kLanes;
     const double ratio = shortest[h] / target[h];
     inverse_size_[i] = 1 / target[h];
     shortest_[i] = ratio * ratio;
     weight_[i] = i < hexes_ ? 1 : 0;
+    if (thorough[h]) thorough_[group] = 1;
     for (int k = 0; k < 8; ++k) {
-      nodes_[(i / kLanes * 8 + k) * kLanes + lane] = 3 * hexes[h][k];
+      nodes_[(group * 8 + k) * kLanes + lane] = 3 * hexes[h][k];
       if (i < hexes_) ++start_[hexes[h][k] + 1];
     }
   }
   for (int v = 0; v < points; ++v) start_[v + 1] += start_[v];
-  incident_.resize(8 * hexes_);
   std::vector<int> next(start_.begin(), start_.end() - 1);
-  for (int h = 0; h < hexes_; ++h)
-    for (int k = 0; k < 8; ++k) incident_[next[hexes[h][k]]++] = (h / kLanes * 8 + k) * 3 * kLanes + h % kLanes;
+  for (int i = 0; i < hexes_; ++i)
+    for (int k = 0; k < 8; ++k) incident_[next[hexes[order[i]][k]]++] = (i / kLanes * 8 + k) * 3 * kLanes + i % kLanes;
 }
 
 template <bool kWorst>
@@ -97,8 +153,11 @@ HexEnergy::Part HexEnergy::evaluate_group(int group, const double* x, const Ener
 
   const double theta = terms.theta, epsilon2 = terms.epsilon_squared, shape = kWorst ? terms.shape_weight : 1;
   Lanes energy = Lanes::Zero(), least = Lanes::Constant(std::numeric_limits<double>::infinity());
-  for (const auto& corner : kHexCorners) {
-    const Vector a = p[corner[1]] - p[corner[0]], b = p[corner[2]] - p[corner[0]], c = p[corner[3]] - p[corner[0]];
+  const int frames = frame_count(group);
+  for (int i = 0; i < frames; ++i) {
+    const Frame& frame = kFrames.frame[i];
+    const double share = i < kCorners ? 1 : kMixedWeight, part_shape = share * shape;
+    const Vector a = p[frame.to[0]] - p[frame.from[0]], b = p[frame.to[1]] - p[frame.from[1]], c = p[frame.to[2]] - p[frame.from[2]];
     const Vector bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
     const Lanes d = dot(a, bc), aa = dot(a, a), bb = dot(b, b), cc = dot(c, c), sum = aa + bb + cc;
     least = least.min(d);
@@ -107,32 +166,31 @@ HexEnergy::Part HexEnergy::evaluate_group(int group, const double* x, const Ener
     const Lanes chi = (d >= 0).select(0.5 * outer, (0.5 * epsilon2) / outer);
     const Lanes y = inverse_cube_root(chi), y2 = y * y, inverse_chi = y2 * y, slope = chi / root;
     const Lanes f = sum * y2, g = (1 + d * d) * inverse_chi;
-    energy += shape * ((1 - theta) * f + theta * g);
-    Lanes alpha = (2 * (1 - theta) * shape) * y2;
-    Lanes beta = shape * (2 * theta * d * inverse_chi - slope * inverse_chi * ((1 - theta) * (2.0 / 3.0) * f + theta * g));
+    energy += part_shape * ((1 - theta) * f + theta * g);
+    const Lanes alpha = (2 * (1 - theta) * part_shape) * y2;
+    Lanes beta = part_shape * (2 * theta * d * inverse_chi - slope * inverse_chi * ((1 - theta) * (2.0 / 3.0) * f + theta * g));
     Lanes alpha_a = alpha, alpha_b = alpha, alpha_c = alpha;
     if (kWorst) {
-      const Lanes q = (aa * bb * cc).sqrt() / d, power = to_power(q, terms.power), slope_q = terms.power * power;
+      const Lanes q = (aa * bb * cc).sqrt() / d, power = share * to_power(q, terms.power), slope_q = terms.power * power;
       const Lanes ia = aa.inverse(), ib = bb.inverse(), ic = cc.inverse();
       const Lanes wa = (wall * ia - 1).max(0.0), wb = (wall * ib - 1).max(0.0), wc = (wall * ic - 1).max(0.0);
-      energy += power + 4 * (wa * wa + wb * wb + wc * wc);
-      alpha_a += slope_q * ia - 16 * wa * wall * ia * ia;
-      alpha_b += slope_q * ib - 16 * wb * wall * ib * ib;
-      alpha_c += slope_q * ic - 16 * wc * wall * ic * ic;
+      energy += power + (4 * share) * (wa * wa + wb * wb + wc * wc);
+      alpha_a += slope_q * ia - (16 * share) * wa * wall * ia * ia;
+      alpha_b += slope_q * ib - (16 * share) * wb * wall * ib * ib;
+      alpha_c += slope_q * ic - (16 * share) * wc * wall * ic * ic;
       beta -= slope_q / d;
     }
     if (!slots) continue;
     const Vector ga{alpha_a * a.x + beta * bc.x, alpha_a * a.y + beta * bc.y, alpha_a * a.z + beta * bc.z};
     const Vector gb{alpha_b * b.x + beta * ca.x, alpha_b * b.y + beta * ca.y, alpha_b * b.z + beta * ca.z};
     const Vector gc{alpha_c * c.x + beta * ab.x, alpha_c * c.y + beta * ab.y, alpha_c * c.z + beta * ab.z};
-    Vector& g0 = grad[corner[0]];
-    Vector& g1 = grad[corner[1]];
-    Vector& g2 = grad[corner[2]];
-    Vector& g3 = grad[corner[3]];
-    g1.x += ga.x, g1.y += ga.y, g1.z += ga.z;
-    g2.x += gb.x, g2.y += gb.y, g2.z += gb.z;
-    g3.x += gc.x, g3.y += gc.y, g3.z += gc.z;
-    g0.x -= ga.x + gb.x + gc.x, g0.y -= ga.y + gb.y + gc.y, g0.z -= ga.z + gb.z + gc.z;
+    const Vector* parts[3] = {&ga, &gb, &gc};
+    for (int k = 0; k < 3; ++k) {
+      Vector& to = grad[frame.to[k]];
+      Vector& from = grad[frame.from[k]];
+      to.x += parts[k]->x, to.y += parts[k]->y, to.z += parts[k]->z;
+      from.x -= parts[k]->x, from.y -= parts[k]->y, from.z -= parts[k]->z;
+    }
   }
   if (slots) {
     double* out = slots + 24 * kLanes * group;
@@ -240,11 +298,18 @@ void HexEnergy::stiffness(const double* x, const EnergyTerms& terms, std::vector
           sum[k].head<3>() += Vec3::Constant(alpha) + curvature * g.cwiseProduct(g);
           sum[k].tail<3>() += curvature * Vec3(g[1] * g[2], g[0] * g[2], g[0] * g[1]);
         };
-        for (const auto& corner : kHexCorners) {
-          const Vec3 edges[3] = {p[corner[1]] - p[corner[0]], p[corner[2]] - p[corner[0]], p[corner[3]] - p[corner[0]]};
+        for (int i = 0; i < frame_count(group); ++i) {
+          const Frame& frame = kFrames.frame[i];
+          Vec3 edges[3];
+          for (int k = 0; k < 3; ++k) edges[k] = p[frame.to[k]] - p[frame.from[k]];
           const CornerStiffness s = corner_stiffness(edges, terms);
-          for (int i = 0; i < 3; ++i) add(corner[i + 1], s.alpha[i], s.curvature, s.along[i]);
-          add(corner[0], s.alpha[0] + s.alpha[1] + s.alpha[2], s.curvature, s.along[0] + s.along[1] + s.along[2]);
+          if (i < kCorners) {
+            for (int k = 0; k < 3; ++k) add(frame.to[k], s.alpha[k], s.curvature, s.along[k]);
+            add(frame.from[0], s.alpha[0] + s.alpha[1] + s.alpha[2], s.curvature, s.along[0] + s.along[1] + s.along[2]);
+          } else {  // two of the edges meet in a node: its curvature is taken as the sum of theirs
+            for (int k = 0; k < 3; ++k)
+              for (int v : {frame.from[k], frame.to[k]}) add(v, kMixedWeight * s.alpha[k], kMixedWeight * s.curvature, s.along[k]);
+          }
         }
         for (int k = 0; k < 8; ++k)
           for (int i = 0; i < 6; ++i) per_node[((8 * group + k) * 6 + i) * kLanes + lane] = sum[k][i] * inverse * inverse;

@@ -17,6 +17,10 @@ namespace hexfeature {
 /// Source: Garanzha, Kaporin, Kudryavtseva, Protais, Ray, Sokolov, "Foldover-free maps in 50 lines of code",
 /// ACM Trans. Graph. 40(4), 2021, equations (3) to (6).
 ///
+/// The corners alone do not see an element that is folded along an edge. A `thorough` element has 24 more tetrahedra, at a
+/// third of the weight: an edge of direction r with one edge of direction s from its one end and one of direction t from its
+/// other end. The determinant's Bernstein coefficient of that edge is the mean of two of their determinants.
+///
 /// The worst-element energy, for power p > 0, is Sum (|e1| |e2| |e3| / det)^p + shape_weight E + a wall against edges shorter
 /// than the element's shortest allowed one m: 4 (m^2 / |e|^2 - 1)^2 where |e| < m. It is defined on valid elements alone.
 struct EnergyTerms {
@@ -28,19 +32,19 @@ struct EnergyTerms {
 
 struct EnergyValue {
   double energy = 0;   ///< infinite when the energy is not defined there
-  double min_det = 0;  ///< least d of all corners
+  double min_det = 0;  ///< least d of all corners (and the thorough elements' other tetrahedra)
 };
 
 /// The energy of a set of hexahedra as a function of all point coordinates x (x0 y0 z0 x1 ...). Elements are evaluated four
 /// at a time, then each point gathers its gradient from its elements in a fixed order: bit-identical for any thread count.
 class HexEnergy {
  public:
-  /// Least energy of one element: eight perfect corners.
-  static double ideal(const EnergyTerms& terms);
-
   /// `target` is L, `shortest` is m of each hexahedron (lengths > 0).
   HexEnergy(const std::vector<std::array<int, 8>>& hexes, int points, const std::vector<double>& target,
-            const std::vector<double>& shortest, Workers& workers);
+            const std::vector<double>& shortest, const std::vector<char>& thorough, Workers& workers);
+
+  /// A lower bound of the energy: that of perfect elements.
+  double floor(const EnergyTerms& terms) const;
 
   /// `gradient` (3 per point, may be null) is overwritten.
   EnergyValue evaluate(const double* x, const EnergyTerms& terms, double* gradient);
@@ -49,13 +53,13 @@ class HexEnergy {
   /// xx yy zz yz xz xy. Where elements are nearly flat these are many orders of magnitude larger than elsewhere, which is
   /// what makes an unscaled descent crawl. Elements for which the energy is not defined count as perfect ones.
   void stiffness(const double* x, const EnergyTerms& terms, std::vector<double>& blocks) const;
-  int hex_count() const { return hexes_; }
 
  private:
   static constexpr int kLanes = 4;
   struct Part {
     double energy, min_det;
   };
+  int frame_count(int group) const;
   template <bool kWorst>
   Part evaluate_group(int group, const double* x, const EnergyTerms& terms, double* slots) const;
 
@@ -64,6 +68,7 @@ class HexEnergy {
   std::vector<double> inverse_size_;   ///< per group and lane
   std::vector<double> shortest_;       ///< (m / L)^2
   std::vector<double> weight_;         ///< 1, or 0 in the empty lanes of the last group
+  std::vector<char> thorough_;         ///< per group
   std::vector<int> start_, incident_;  ///< per point: where its gradient parts are in slots_
   std::vector<double> slots_;          ///< per group: 8 nodes x 3 coordinates x 4 lanes
   std::vector<Part> parts_;            ///< per group

@@ -10,11 +10,12 @@
 namespace hexfeature {
 namespace {
 
-double quality_of(const std::vector<double>& x, const std::array<int, 8>& hex) {
+double quality_of(const double* x, const std::array<int, 8>& hex) {
   std::array<Vec3, 8> corners;
-  for (int k = 0; k < 8; ++k) corners[k] = Eigen::Map<const Vec3>(x.data() + 3 * hex[k]);
+  for (int k = 0; k < 8; ++k) corners[k] = Eigen::Map<const Vec3>(x + 3 * hex[k]);
   const double q = scaled_jacobian(corners);
-  return std::isnan(q) ? -1 : q;
+  if (std::isnan(q)) return -1;
+  return q <= 0 || proves_positive(corners) ? q : 0;
 }
 
 double shortest_edge(const std::vector<double>& x, const std::array<int, 8>& hex) {
@@ -25,6 +26,24 @@ double shortest_edge(const std::vector<double>& x, const std::array<int, 8>& hex
 }
 
 }  // namespace
+
+void measure(const HexComplex& mesh, Workers& workers, std::vector<double>& quality) {
+  static_assert(sizeof(Vec3) == 3 * sizeof(double), "points are flat");
+  quality.resize(mesh.hexes.size());
+  workers.run(mesh.hex_count(), 256, [&](int begin, int end) {
+    for (int h = begin; h < end; ++h) quality[h] = quality_of(mesh.points.data()->data(), mesh.hexes[h]);
+  });
+}
+
+Grade grade_of(const std::vector<double>& quality) {
+  Grade g;
+  for (double q : quality) {
+    g.inverted += !(q > 0);
+    g.min_sj = std::min(g.min_sj, q);
+    g.sum_sj += q;
+  }
+  return g;
+}
 
 Patch Patch::whole(const HexComplex& mesh, SmoothSetting& setting) {
   return Patch(mesh, std::vector<char>(mesh.points.size(), 1), setting);
@@ -48,35 +67,31 @@ Patch::Patch(const HexComplex& mesh, const std::vector<char>& free_points, Smoot
     for (int a = 0; a < 3; ++a) x.push_back(mesh.points[v][a]);
   }
   std::vector<double> target, shortest;
+  std::vector<char> thorough;
   for (int h : elements) {
     std::array<int, 8> hex;
     for (int k = 0; k < 8; ++k) hex[k] = own[mesh.hexes[h][k]];
     hexes.push_back(hex);
     const double size = setting.target[h];
     target.push_back(size);
+    thorough.push_back(quality_of(x.data(), hex) < 0.3);
     shortest.push_back(std::max(std::min(0.15 * setting.options.size, 0.6 * shortest_edge(x, hex)), 1e-9 * size));
   }
   boundary = std::make_unique<Boundary>(place, free, setting.projector, setting.options.size, setting.workers);
-  energy = std::make_unique<HexEnergy>(hexes, static_cast<int>(nodes.size()), target, shortest, setting.workers);
+  energy = std::make_unique<HexEnergy>(hexes, static_cast<int>(nodes.size()), target, shortest, thorough, setting.workers);
 }
 
 void Patch::measure(const std::vector<double>& at, std::vector<double>& quality) const {
   quality.resize(hexes.size());
   setting.workers.run(static_cast<int>(hexes.size()), 256, [&](int begin, int end) {
-    for (int h = begin; h < end; ++h) quality[h] = quality_of(at, hexes[h]);
+    for (int h = begin; h < end; ++h) quality[h] = quality_of(at.data(), hexes[h]);
   });
 }
 
 Grade Patch::grade(const std::vector<double>& at) const {
   std::vector<double> quality;
   measure(at, quality);
-  Grade g;
-  for (double q : quality) {
-    g.inverted += !(q > 0);
-    g.min_sj = std::min(g.min_sj, q);
-    g.sum_sj += q;
-  }
-  return g;
+  return grade_of(quality);
 }
 
 void Patch::write_back(HexComplex& mesh) const {

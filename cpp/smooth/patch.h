@@ -26,9 +26,13 @@ struct SmoothSetting {
 
 /// How good a set of elements is.
 struct Grade {
-  int inverted = 0;
+  int inverted = 0;  ///< not proved positive
   double min_sj = 1, sum_sj = 0;
 };
+
+/// Scaled Jacobian of each element; 0 where it is positive but the element is not proved so everywhere.
+void measure(const HexComplex& mesh, Workers& workers, std::vector<double>& quality);
+Grade grade_of(const std::vector<double>& quality);
 
 /// A part of the mesh (or all of it) that one stage works on: some elements, with the points that may move. The points of
 /// the rim, which belong to other elements too, do not.
@@ -40,7 +44,7 @@ class Patch {
 
   Grade grade() const { return grade(x); }
   Grade grade(const std::vector<double>& at) const;
-  /// Scaled Jacobian of each element.
+  /// Scaled Jacobian of each element; 0 where it is positive but the element is not proved so everywhere.
   void measure(const std::vector<double>& at, std::vector<double>& quality) const;
   /// Put points and parameters back into the mesh.
   void write_back(HexComplex& mesh) const;

@@ -41,18 +41,18 @@ std::vector<double> target_sizes(const HexComplex& mesh, double h) {
   return target;
 }
 
-void measure(const HexComplex& mesh, int& inverted, double& min_sj, double& mean_sj) {
-  inverted = 0;
-  min_sj = mesh.hexes.empty() ? 0 : 1;
-  double sum = 0;
-  for (const auto& hex : mesh.hexes) {
-    double q = scaled_jacobian(mesh.points, hex);
-    if (std::isnan(q)) q = -1;
-    inverted += !(q > 0);
-    min_sj = std::min(min_sj, q);
-    sum += q;
+/// Boundary points exactly onto the CAD: where a projection is not its own foot to the last digits, a few times over.
+/// Returns the largest distance left.
+double settle(HexComplex& mesh, SmoothSetting& setting) {
+  Patch all = Patch::whole(mesh, setting);
+  double deviation = 0;
+  for (int round = 0; round < 5; ++round) {
+    deviation = all.boundary->find_feet(all.x);
+    if (deviation <= 1e-12 * setting.options.size) break;
+    all.boundary->snap(all.x);
   }
-  mean_sj = mesh.hexes.empty() ? 0 : sum / mesh.hex_count();
+  all.write_back(mesh);
+  return deviation;
 }
 
 }  // namespace
@@ -61,26 +61,31 @@ SmoothReport smooth(HexComplex& mesh, const Projector& projector, const SmoothOp
   check_input(mesh, options);
   context.progress("smooth", 0);
   SmoothReport report;
-  measure(mesh, report.inverted_before, report.min_sj_before, report.mean_sj);
-  report.min_sj = report.min_sj_before;
-  report.inverted = report.inverted_before;
   if (mesh.hexes.empty()) return report;
-
   Workers workers(options.threads);
   SmoothSetting setting{projector, options, context, workers, target_sizes(mesh, options.size)};
-  {
-    Patch all = Patch::whole(mesh, setting);
-    report.deviation = all.boundary->find_feet(all.x);
-    const bool perfect = report.min_sj_before > 0.999 && report.deviation < 1e-9 * options.size;
-    if (perfect) return report;
+  std::vector<double> quality;
+  measure(mesh, workers, quality);
+  const Grade before = grade_of(quality);
+  report.min_sj_before = before.min_sj;
+  report.inverted_before = before.inverted;
+
+  Patch all = Patch::whole(mesh, setting);
+  report.deviation = all.boundary->find_feet(all.x);
+  const bool perfect = before.min_sj > 0.999 && report.deviation < 1e-9 * options.size;
+  if (!perfect) {
     report.rounds = untangle_softly(all);
     slide(all);
     all.write_back(mesh);
+    if (options.worst_stage) lift_worst(mesh, setting);
+    report.deviation = settle(mesh, setting);
   }
-  if (options.worst_stage) lift_worst(mesh, setting);
 
-  measure(mesh, report.inverted, report.min_sj, report.mean_sj);
-  report.deviation = Patch::whole(mesh, setting).boundary->find_feet(Patch::whole(mesh, setting).x);
+  measure(mesh, workers, quality);
+  const Grade after = grade_of(quality);
+  report.min_sj = after.min_sj;
+  report.inverted = after.inverted;
+  report.mean_sj = after.sum_sj / mesh.hex_count();
   context.progress("smooth", 1);
   return report;
 }

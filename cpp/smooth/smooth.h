@@ -16,7 +16,7 @@ struct SmoothOptions {
 
 struct SmoothReport {
   double min_sj_before = 0, min_sj = 0, mean_sj = 0;
-  int inverted_before = 0, inverted = 0;
+  int inverted_before = 0, inverted = 0;  ///< elements not proved positive (`proves_positive`)
   int rounds = 0;
   double deviation = 0;  ///< largest distance of a boundary node from its CAD entity at the end
 };

@@ -19,7 +19,7 @@ double worst_determinant(Patch& patch, const EnergyTerms& terms) { return patch.
 LbfgsOptions descent_options(const Patch& patch, const EnergyTerms& terms) {
   LbfgsOptions o;
   o.step_limit = 0.3 * patch.setting.options.size;
-  o.floor = patch.energy->hex_count() * HexEnergy::ideal(terms);
+  o.floor = patch.energy->floor(terms);
   return o;
 }
 
@@ -55,10 +55,14 @@ int untangle_softly(Patch& patch) {
   terms.theta = options.theta;
   terms.epsilon_squared = std::numeric_limits<double>::infinity();
   Lbfgs descent(static_cast<int>(patch.x.size()), patch.setting.workers);
+  std::vector<double> snapped;
   for (int round = 0; round < options.untangle_rounds; ++round) {
     const double deviation = patch.boundary->find_feet(patch.x);
     const Grade grade = patch.grade();
     if (grade.min_sj > 0.05 && deviation < 0.02 * h) return round;
+    snapped = patch.x;
+    patch.boundary->place_on_feet(snapped);
+    if (patch.grade(snapped).inverted == 0) return round;
     lower_epsilon(terms, worst_determinant(patch, terms));
     PatchObjective objective(patch, terms, 200 * std::pow(3.0, std::min(round, 6)));
     objective.drift_limit = 0.3 * h;
@@ -98,7 +102,7 @@ void slide(Patch& patch) {
     // The tangent spaces are trusted as far as they foretell the energy on the true surface.
     const double after = patch.energy->evaluate(moved.data(), terms, nullptr).energy;
     const double foretold = before - result.value, gain = before - after;
-    if (gain > 0.7 * foretold) drift = std::min(0.3 * h, 1.5 * drift);
+    if (gain > 0.7 * foretold) drift = std::min(h, 1.5 * drift);
     if (gain < 0.3 * foretold) drift *= 0.4;
     const bool accepted = gain > 0;
     if (accepted) {
@@ -109,7 +113,7 @@ void slide(Patch& patch) {
       descent.forget();
     }
     patch.setting.context.progress("smooth", 0.5 + 0.3 * (1 - left / 200.0));
-    const double floor = patch.energy->hex_count() * HexEnergy::ideal(terms);
+    const double floor = patch.energy->floor(terms);
     if (accepted && worst_determinant(patch, terms) > 0 && gain < (result.converged ? 0.01 : 1e-3) * (before - floor)) break;
   }
   patch.x = best.x();

@@ -24,33 +24,18 @@ std::vector<char> points_near(const HexComplex& mesh, const std::vector<double>&
   return marked;
 }
 
-}  // namespace
-
-void lift_worst(HexComplex& mesh, SmoothSetting& setting) {
-  const double h = setting.options.size;
-  std::vector<double> quality;
-  Patch::whole(mesh, setting)
-      .measure(
-          [&] {
-            std::vector<double> x;
-            for (const Vec3& p : mesh.points) x.insert(x.end(), {p[0], p[1], p[2]});
-            return x;
-          }(),
-          quality);
-  const double worst = *std::min_element(quality.begin(), quality.end());
-  if (!(worst > 0)) return;
-  const double limit = std::clamp(worst + 0.25, 0.5, 0.8);
-  if (worst >= limit) return;
-  Patch patch(mesh, points_near(mesh, quality, limit, 2), setting);
+/// One sweep over the powers on the patch. Leaves it in its best state seen, on the CAD; returns how far its worst rose.
+double sweep(Patch& patch, const std::vector<int>& powers) {
+  const double h = patch.setting.options.size;
   patch.boundary->find_feet(patch.x);
   patch.boundary->snap(patch.x);
-
   std::vector<double> best = patch.x, gradient(patch.x.size());
-  Grade best_grade = patch.grade(best), last = best_grade;
+  const Grade start = patch.grade();
+  Grade best_grade = start, last = start;
   EnergyTerms terms;
-  terms.theta = setting.options.theta;
+  terms.theta = patch.setting.options.theta;
   terms.shape_weight = 0.5;
-  for (int power : {1, 1, 2, 2, 4, 4, 8, 8, 16}) {
+  for (int power : powers) {
     terms.power = power;
     if (!std::isfinite(patch.energy->evaluate(patch.x.data(), terms, gradient.data()).energy)) break;
     patch.boundary->hold_at_rims(gradient);
@@ -58,9 +43,9 @@ void lift_worst(HexComplex& mesh, SmoothSetting& setting) {
     objective.drift_limit = 0.3 * h;
     LbfgsOptions options;
     options.step_limit = 0.1 * h;
-    options.floor = patch.energy->hex_count() * HexEnergy::ideal(terms);
+    options.floor = patch.energy->floor(terms);
     std::vector<double> moved = patch.x;
-    Lbfgs(static_cast<int>(moved.size()), setting.workers).descend(objective, moved, options);
+    Lbfgs(static_cast<int>(moved.size()), patch.setting.workers).descend(objective, moved, options);
     // Off the tangents some elements may get worse: then go less far.
     std::vector<double> next;
     Grade grade;
@@ -78,7 +63,26 @@ void lift_worst(HexComplex& mesh, SmoothSetting& setting) {
   patch.x = best;
   patch.boundary->find_feet(patch.x);
   patch.boundary->snap(patch.x);
-  patch.write_back(mesh);
+  return best_grade.min_sj - start.min_sj;
+}
+
+}  // namespace
+
+void lift_worst(HexComplex& mesh, SmoothSetting& setting) {
+  constexpr int kSweeps = 6;
+  constexpr double kLeastGain = 0.003;
+  std::vector<double> quality;
+  for (int k = 0; k < kSweeps; ++k) {
+    setting.context.progress("smooth", 0.8 + 0.2 * k / kSweeps);
+    measure(mesh, setting.workers, quality);
+    const double worst = *std::min_element(quality.begin(), quality.end());
+    const double limit = std::clamp(worst + 0.25, 0.5, 0.8);
+    if (!(worst > 0) || worst >= limit) return;
+    Patch patch(mesh, points_near(mesh, quality, limit, 2), setting);
+    const double gain = sweep(patch, k == 0 ? std::vector<int>{1, 1, 2, 2, 4, 4, 8, 8, 16} : std::vector<int>{4, 8, 16, 16});
+    if (gain > 0) patch.write_back(mesh);
+    if (gain < kLeastGain) return;
+  }
 }
 
 }  // namespace hexfeature

@@ -55,7 +55,8 @@ TEST_CASE("the gradient is the energy's derivative") {
       shake_inside(shaken, amount);
       Workers workers(1);
       const std::size_t n = shaken.hexes.size();
-      HexEnergy energy(shaken.hexes, shaken.point_count(), std::vector<double>(n, 0.8), std::vector<double>(n, 0.9), workers);
+      HexEnergy energy(shaken.hexes, shaken.point_count(), std::vector<double>(n, 0.8), std::vector<double>(n, 0.9),
+                       std::vector<char>(n, power == 1 || amount > 0.5), workers);
       EnergyTerms terms;
       terms.power = power;
       terms.epsilon_squared = 0.01;
