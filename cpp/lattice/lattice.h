@@ -35,7 +35,8 @@ Lattice fill_lattice(const FeatureShape& shape, const Polycube& polycube, int so
                      const std::vector<Separation>& tried = {});
 
 /// quantize + fill with lazy separation: solve, fill, separate what collides, again (<= 25 rounds); should that lead nowhere,
-/// anew with one separation a round; then with the charts' positions as orders; then the same with 0.7 h and 0.5 h. Never throws for a failed fill: the report says why.
+/// anew with one separation a round; then with the charts' positions as orders; then the same with 0.7 h and 0.5 h. Never throws for a
+/// failed fill: the report says why.
 Lattice build_lattice(const SurfaceMesh& mesh, const FeatureShape& shape, const QuantizeOptions& options, Context& context);
 /// The same with rays sampled before: for a caller that tries many labels on one mesh.
 Lattice build_lattice(const SurfaceMesh& mesh, const FeatureShape& shape, const AxisRays& rays, const QuantizeOptions& options,

@@ -75,7 +75,8 @@ class ChartRaster {
       for (int b = s.lo; b < s.hi; ++b) winding_[static_cast<std::size_t>(b - lo_b_) * width_ + (s.at - 1 - lo_a_)] += s.direction * sign_;
     }
     for (int b = 0; b < height_; ++b)
-      for (int a = width_ - 2; a >= 0; --a) winding_[static_cast<std::size_t>(b) * width_ + a] += winding_[static_cast<std::size_t>(b) * width_ + a + 1];
+      for (int a = width_ - 2; a >= 0; --a)
+        winding_[static_cast<std::size_t>(b) * width_ + a] += winding_[static_cast<std::size_t>(b) * width_ + a + 1];
   }
 
   void clash(int first, int second, int a, int b) {
@@ -141,10 +142,16 @@ class ChartRaster {
 
 }  // namespace
 
+LatticeGrid bounding_grid(const Polycube& polycube) {
+  LatticeGrid grid;
+  for (const auto& p : polycube.corners)
+    for (int k = 0; k < 3; ++k) grid.n[k] = std::max(grid.n[k], p[k]);
+  return grid;
+}
+
 Raster rasterise(const FeatureShape& shape, const Polycube& polycube, Context& context) {
   Raster raster;
-  for (const auto& p : polycube.corners)
-    for (int k = 0; k < 3; ++k) raster.grid.n[k] = std::max(raster.grid.n[k], p[k]);
+  raster.grid = bounding_grid(polycube);
   raster.sides.resize(shape.chart_count());
   for (int c = 0; c < shape.chart_count(); ++c) {
     context.check();
@@ -152,7 +159,8 @@ Raster rasterise(const FeatureShape& shape, const Polycube& polycube, Context& c
     ChartRaster(shape, polycube, c, raster);
   }
   for (auto& cells : raster.cells)
-    std::sort(cells.begin(), cells.end(), [](const ChartCell& x, const ChartCell& y) { return x.key != y.key ? x.key < y.key : x.chart < y.chart; });
+    std::sort(cells.begin(), cells.end(),
+              [](const ChartCell& x, const ChartCell& y) { return x.key != y.key ? x.key < y.key : x.chart < y.chart; });
   return raster;
 }
 

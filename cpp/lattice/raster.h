@@ -12,11 +12,11 @@ namespace hexfeature {
 
 /// A side of a chart's rectilinear polygon, in the chart's own two axes a = (c+1)%3, b = (c+2)%3 (c the chart's axis).
 struct PolygonSide {
-  int along = 0;      ///< the axis it runs along (a or b)
-  int at = 0;         ///< its coordinate on the other one
-  int lo = 0, hi = 0; ///< its extent
-  int direction = 1;  ///< +1: from lo to hi with the chart on its left, seen from outside the solid
-  int chart = -1;     ///< the chart across
+  int along = 0;       ///< the axis it runs along (a or b)
+  int at = 0;          ///< its coordinate on the other one
+  int lo = 0, hi = 0;  ///< its extent
+  int direction = 1;   ///< +1: from lo to hi with the chart on its left, seen from outside the solid
+  int chart = -1;      ///< the chart across
   int arc = -1;
 };
 
@@ -60,11 +60,14 @@ struct Clash {
 /// Every chart's polygon as sides and as unit squares.
 struct Raster {
   LatticeGrid grid;
-  std::vector<std::vector<PolygonSide>> sides;    ///< per chart
-  std::array<std::vector<ChartCell>, 3> cells;    ///< per axis, sorted by key (duplicates kept)
-  std::vector<Clash> overlaps;                    ///< charts across sides of one polygon that overlap, cross or touch
-  std::vector<int> bad_charts;                    ///< whose polygon is not simple
+  std::vector<std::vector<PolygonSide>> sides;  ///< per chart
+  std::array<std::vector<ChartCell>, 3> cells;  ///< per axis, sorted by key (duplicates kept)
+  std::vector<Clash> overlaps;                  ///< charts across sides of one polygon that overlap, cross or touch
+  std::vector<int> bad_charts;                  ///< whose polygon is not simple
 };
+
+/// The grid that holds all corners.
+LatticeGrid bounding_grid(const Polycube& polycube);
 
 /// Rasterise the polygons by winding number. A polygon is good when its winding numbers are 0 and 1 and every side has the
 /// chart on its left only.

@@ -20,7 +20,8 @@ Candidate best_separation(const FeatureShape& shape, const Polycube& polycube, c
   for (int axis = 0; axis < 3; ++axis)
     for (int order = 0; order < 2; ++order) {
       const int below = order == 0 ? clash.first : clash.second, above = order == 0 ? clash.second : clash.first;
-      const Bound low_bound = bound_beside(shape, raster, below, clash.at, axis, 1), high_bound = bound_beside(shape, raster, above, clash.at, axis, -1);
+      const Bound low_bound = bound_beside(shape, raster, below, clash.at, axis, 1),
+                  high_bound = bound_beside(shape, raster, above, clash.at, axis, -1);
       const int low = low_bound.chart, high = high_bound.chart;
       if (low < 0 || high < 0 || low == high) continue;
       if (axis_of(shape.charts[low].label) != axis || axis_of(shape.charts[high].label) != axis) continue;
@@ -29,7 +30,8 @@ Candidate best_separation(const FeatureShape& shape, const Polycube& polycube, c
           std::binary_search(tried.begin(), tried.end(), Separation{high, low, 1}))
         continue;
       // The arcs say where the charts pass, the centroids keep off arcs that bound the clash in the lattice but lie far from it.
-      const double apart = high_bound.position - low_bound.position + 0.5 * (shape.charts[high].centroid[axis] - shape.charts[low].centroid[axis]);
+      const double apart =
+          high_bound.position - low_bound.position + 0.5 * (shape.charts[high].centroid[axis] - shape.charts[low].centroid[axis]);
       if (apart > best.apart) best = {{low, high, 1}, apart};
     }
   return best;
@@ -45,11 +47,11 @@ std::vector<Separation> separations_for(const FeatureShape& shape, const Polycub
   std::vector<Clash> pairs = clashes;
   for (auto& c : pairs)
     if (c.first > c.second) std::swap(c.first, c.second);
-  std::sort(pairs.begin(), pairs.end(), [](const Clash& a, const Clash& b) {
-    return std::tie(a.first, a.second, a.at) < std::tie(b.first, b.second, b.at);
-  });
-  pairs.erase(std::unique(pairs.begin(), pairs.end(), [](const Clash& a, const Clash& b) { return a.first == b.first && a.second == b.second; }),
-              pairs.end());
+  std::sort(pairs.begin(), pairs.end(),
+            [](const Clash& a, const Clash& b) { return std::tie(a.first, a.second, a.at) < std::tie(b.first, b.second, b.at); });
+  pairs.erase(
+      std::unique(pairs.begin(), pairs.end(), [](const Clash& a, const Clash& b) { return a.first == b.first && a.second == b.second; }),
+      pairs.end());
   std::stable_sort(pairs.begin(), pairs.end(), [](const Clash& a, const Clash& b) { return a.at < b.at; });
 
   // One separation a place: the others there often follow from it, and more would over-constrain.

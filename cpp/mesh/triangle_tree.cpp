@@ -135,9 +135,8 @@ void TriangleTree::build(const SurfaceMesh& mesh, std::vector<int> triangles) {
     int axis = 0;
     (centres.hi - centres.lo).maxCoeff(&axis);
     const int middle = (r.begin + r.end) / 2;
-    std::nth_element(triangles.begin() + r.begin, triangles.begin() + middle, triangles.begin() + r.end, [&](int a, int b) {
-      return centre[a][axis] != centre[b][axis] ? centre[a][axis] < centre[b][axis] : a < b;
-    });
+    std::nth_element(triangles.begin() + r.begin, triangles.begin() + middle, triangles.begin() + r.end,
+                     [&](int a, int b) { return centre[a][axis] != centre[b][axis] ? centre[a][axis] < centre[b][axis] : a < b; });
     stack.push_back({index, middle, r.end});
     stack.push_back({-1, r.begin, middle});  // popped next: becomes index + 1
   }

@@ -12,8 +12,8 @@ namespace hexfeature {
 
 /// Where a ray or line meets a triangle.
 struct RayHit {
-  double t = 0;          ///< point = origin + t * direction
-  int triangle = -1;     ///< of the surface mesh
+  double t = 0;           ///< point = origin + t * direction
+  int triangle = -1;      ///< of the surface mesh
   bool entering = false;  ///< the ray goes into the solid here (against the triangle's outward side)
 };
 
@@ -51,7 +51,8 @@ class TriangleTree {
 
   /// Closest point within `max_distance` of p.
   ClosestPoint closest(const Vec3& p, double max_distance = std::numeric_limits<double>::infinity()) const {
-    return closest_if(p, [](int) { return true; }, max_distance);
+    return closest_if(
+        p, [](int) { return true; }, max_distance);
   }
   /// The same over the triangles for which `accept(triangle)` is true.
   template <class Accept>

@@ -103,8 +103,9 @@ std::int64_t difference_cost(const std::vector<DifferenceTerm>& terms, const std
   return cost;
 }
 
-void add_convex_terms(std::vector<DifferenceTerm>& terms, int from, int to, double target, int minimum, const std::function<double(int)>& cost) {
-  constexpr int kReach = 4;  // breakpoints on either side
+void add_convex_terms(std::vector<DifferenceTerm>& terms, int from, int to, double target, int minimum,
+                      const std::function<double(int)>& cost) {
+  constexpr int kReach = 4;                                                                      // breakpoints on either side
   const auto slope = [&](int d) { return std::llround(kTermScale * (cost(d + 1) - cost(d))); };  // between d and d + 1
   const int floor = static_cast<int>(std::floor(target));
   const int first = std::max(minimum, floor - kReach), last = std::max(first, floor + 1 + kReach);

@@ -32,7 +32,8 @@ std::int64_t difference_cost(const std::vector<DifferenceTerm>& terms, const std
 /// Add the terms of a convex cost(d), d = x[to] - x[from], linearly interpolated between integers (so that fractional targets
 /// keep an integer optimum) and linear far from `target`, where its minimum lies. Only d >= minimum matters; cost is asked for
 /// d >= minimum. Slopes are rounded to kTermScale-ths.
-void add_convex_terms(std::vector<DifferenceTerm>& terms, int from, int to, double target, int minimum, const std::function<double(int)>& cost);
+void add_convex_terms(std::vector<DifferenceTerm>& terms, int from, int to, double target, int minimum,
+                      const std::function<double(int)>& cost);
 constexpr double kTermScale = 1000;
 
 }  // namespace hexfeature

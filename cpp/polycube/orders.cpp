@@ -167,16 +167,18 @@ std::vector<ChartOrder> chart_orders(const SurfaceMesh& mesh, const FeatureShape
     const int own = axis_of(label(chart));
     const double area = shape.charts[chart].area;
     const int count = static_cast<int>(std::min(40.0, 8 + area / (size * size)));
-    systematic(shape.cells.parts[chart].triangles, count, [&](int t) { return mesh.area(t); }, [&](int t) {
-      const Vec3 p = random_point(mesh, t, random);
-      for (int axis = 0; axis < 3; ++axis) {
-        if (axis == own) continue;
-        const Walk walk = walk_chart(mesh, chart_of, t, p, axis, third_axis(axis, own));
-        if (walk.low < 0 || walk.high < 0 || walk.low == walk.high) continue;
-        if (axis_of(label(walk.low)) == axis && axis_of(label(walk.high)) == axis)
-          orders.push_back({walk.low, walk.high, walk.length, 1, walk.pieces, area / count / std::max(walk.length, size) / size});
-      }
-    });
+    systematic(
+        shape.cells.parts[chart].triangles, count, [&](int t) { return mesh.area(t); },
+        [&](int t) {
+          const Vec3 p = random_point(mesh, t, random);
+          for (int axis = 0; axis < 3; ++axis) {
+            if (axis == own) continue;
+            const Walk walk = walk_chart(mesh, chart_of, t, p, axis, third_axis(axis, own));
+            if (walk.low < 0 || walk.high < 0 || walk.low == walk.high) continue;
+            if (axis_of(label(walk.low)) == axis && axis_of(label(walk.high)) == axis)
+              orders.push_back({walk.low, walk.high, walk.length, 1, walk.pieces, area / count / std::max(walk.length, size) / size});
+          }
+        });
   }
   std::sort(orders.begin(), orders.end(), [](const ChartOrder& a, const ChartOrder& b) {
     return std::tie(a.low, a.high, a.gap, a.lines) < std::tie(b.low, b.high, b.gap, b.lines);

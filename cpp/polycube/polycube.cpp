@@ -13,17 +13,17 @@ namespace hexfeature {
 namespace {
 
 // Costs are relative to one interval too many or too few on an arc.
-constexpr double kShortCost = 0.7;          // one interval too many; one too few costs 1 and more
-constexpr double kGapCost = 0.2;            // a distance that samples saw off by one interval, per order ...
-constexpr double kLineCost = 0.2;           // ... and per line of elements that runs there, at most ...
-constexpr double kLineCostMost = 8;         // ... this much: large plates must not outweigh orders
-constexpr double kOrderCost = 20;           // an order violated by one interval, one sample ...
-constexpr double kOrderCostMany = 70;       // ... or many
-constexpr double kSeparationCost = 1000;    // above anything else: the fill has shown that it is needed
-constexpr double kIntervalWishCost = 5;     // an arc without the intervals its bends ask for
+constexpr double kShortCost = 0.7;        // one interval too many; one too few costs 1 and more
+constexpr double kGapCost = 0.2;          // a distance that samples saw off by one interval, per order ...
+constexpr double kLineCost = 0.2;         // ... and per line of elements that runs there, at most ...
+constexpr double kLineCostMost = 8;       // ... this much: large plates must not outweigh orders
+constexpr double kOrderCost = 20;         // an order violated by one interval, one sample ...
+constexpr double kOrderCostMany = 70;     // ... or many
+constexpr double kSeparationCost = 1000;  // above anything else: the fill has shown that it is needed
+constexpr double kIntervalWishCost = 5;   // an arc without the intervals its bends ask for
 constexpr double kPositionCost = 0.02, kPositionCostLarge = 0.05;
-constexpr double kTieBreak = 0.01;          // a target of n + 1/2 goes up everywhere
-constexpr double kLargestTarget = 1e6;      // intervals; beyond, no lattice can be built anyway
+constexpr double kTieBreak = 0.01;      // a target of n + 1/2 goes up everywhere
+constexpr double kLargestTarget = 1e6;  // intervals; beyond, no lattice can be built anyway
 constexpr int kNoMinimum = std::numeric_limits<int>::min() / 4;
 
 /// The unknowns: classes of charts of one axis that meet at corners.
@@ -103,7 +103,8 @@ int wished_intervals(const SurfaceMesh& mesh, const Partition::Edge& edge, const
 std::pair<int, int> arc_ends(const FeatureShape& shape, const Classes& classes, int i) {
   const auto& arc = shape.arcs[i];
   const auto& edge = shape.cells.edges[i];
-  if (arc.axis < 0 || arc.sign == 0 || edge.start < 0) throw PolycubeError("a feature line has no direction", shape, {edge.left, edge.right});
+  if (arc.axis < 0 || arc.sign == 0 || edge.start < 0)
+    throw PolycubeError("a feature line has no direction", shape, {edge.left, edge.right});
   const int start = classes.of_corner[edge.start][arc.axis], end = classes.of_corner[edge.end][arc.axis];
   return arc.sign > 0 ? std::make_pair(start, end) : std::make_pair(end, start);
 }
@@ -124,7 +125,8 @@ struct Terms {
 }  // namespace
 
 PolycubeError::PolycubeError(std::string reason_, const FeatureShape& shape, std::vector<int> charts_)
-    : MeshingError(Failure::NoMesh, "polycube", std::move(reason_), "try a smaller element size, or split the part"), charts(std::move(charts_)) {
+    : MeshingError(Failure::NoMesh, "polycube", std::move(reason_), "try a smaller element size, or split the part"),
+      charts(std::move(charts_)) {
   std::sort(charts.begin(), charts.end());
   charts.erase(std::unique(charts.begin(), charts.end()), charts.end());
   for (int c : charts) cad_faces.insert(cad_faces.end(), shape.charts[c].cad_faces.begin(), shape.charts[c].cad_faces.end());
@@ -160,7 +162,7 @@ ForcedOrders::ForcedOrders(const FeatureShape& shape) {
 }
 
 int ray_count(const SurfaceMesh& mesh, const QuantizeOptions& options) {
-  return std::min(options.rays, std::max(800, mesh.triangle_count() / 4));
+  return std::min(options.rays, std::max(800, mesh.triangle_count() / 8));
 }
 
 Polycube quantize(const SurfaceMesh& mesh, const FeatureShape& shape, const QuantizeOptions& options,
@@ -169,8 +171,8 @@ Polycube quantize(const SurfaceMesh& mesh, const FeatureShape& shape, const Quan
   return quantize(mesh, shape, chart_orders(mesh, shape, rays, options.size, context), options, separations, context);
 }
 
-Polycube quantize(const SurfaceMesh& mesh, const FeatureShape& shape, const std::vector<ChartOrder>& orders,
-                  const QuantizeOptions& options, const std::vector<Separation>& separations, Context& context) {
+Polycube quantize(const SurfaceMesh& mesh, const FeatureShape& shape, const std::vector<ChartOrder>& orders, const QuantizeOptions& options,
+                  const std::vector<Separation>& separations, Context& context) {
   const double h = options.size;
   if (!(h > 0) || !std::isfinite(h)) throw MeshingError(Failure::Usage, "polycube", "the element size must be a positive number");
   const auto target = [&](double length) { return std::clamp(length / h, -kLargestTarget, kLargestTarget) + kTieBreak; };
@@ -189,7 +191,8 @@ Polycube quantize(const SurfaceMesh& mesh, const FeatureShape& shape, const std:
     list.push_back({from, to, options.minimum_intervals, kHardTerm});
     if (from == to) continue;
     const double t = target(arc.length);
-    add_convex_terms(list, from, to, t, std::max(1, options.minimum_intervals), [&](int d) { return interval_cost(t, d, options.arc_curvature); });
+    add_convex_terms(list, from, to, t, std::max(1, options.minimum_intervals),
+                     [&](int d) { return interval_cost(t, d, options.arc_curvature); });
     const int wished = wished_intervals(mesh, edge, sharp_degree, options.largest_sag * h);
     if (wished > options.minimum_intervals) list.push_back({from, to, wished, std::llround(kTermScale * kIntervalWishCost)});
   }
@@ -198,7 +201,8 @@ Polycube quantize(const SurfaceMesh& mesh, const FeatureShape& shape, const std:
     const int from = classes.of_chart[order.low], to = classes.of_chart[order.high];
     if (from == to) continue;
     const double cost = kOrderCost + (kOrderCostMany - kOrderCost) * std::min(1.0, order.count / 8.0);
-    const double lines = kLineCost * order.lines, gap_cost = kGapCost * std::min(1.0, order.count / 4.0) + lines / (1 + lines / kLineCostMost);
+    const double lines = kLineCost * order.lines,
+                 gap_cost = kGapCost * std::min(1.0, order.count / 4.0) + lines / (1 + lines / kLineCostMost);
     list.push_back({from, to, 1, std::llround(kTermScale * cost)});
     if (order.pieces > 1) list.push_back({from, to, order.pieces, std::llround(kTermScale * kIntervalWishCost)});
     const double t = target(order.gap);

@@ -12,19 +12,19 @@
 namespace hexfeature {
 
 struct QuantizeOptions {
-  double size = 1;            ///< element size h
-  int minimum_intervals = 1;  ///< least |delta u| along an arc
-  int rays = 4000;            ///< at most so many sample rays for order and gap constraints (deterministic)
-  double arc_curvature = 0.5; ///< how much the cost of too many intervals on an arc bends upwards
-  double largest_sag = 0.25;  ///< an arc gets intervals until the chords' sag is below this many h (wish, not constraint)
+  double size = 1;             ///< element size h
+  int minimum_intervals = 1;   ///< least |delta u| along an arc
+  int rays = 4000;             ///< at most so many sample rays for order and gap constraints (deterministic)
+  double arc_curvature = 0.5;  ///< how much the cost of too many intervals on an arc bends upwards
+  double largest_sag = 0.25;   ///< an arc gets intervals until the chords' sag is below this many h (wish, not constraint)
 };
 
 /// The recognition model: the feature shape with integer, axis-aligned coordinates. A chart of label l lies on the
 /// plane x[axis(l)] = coordinate; a corner takes one coordinate from a chart of each axis.
 struct Polycube {
-  std::vector<int> coordinate;             ///< per chart; least on each axis is 0
-  std::vector<std::array<int, 3>> corners; ///< per corner of the feature shape
-  double length_error = 0;                 ///< sum over arcs of |delta u - L/h| / number of arcs
+  std::vector<int> coordinate;              ///< per chart; least on each axis is 0
+  std::vector<std::array<int, 3>> corners;  ///< per corner of the feature shape
+  double length_error = 0;                  ///< sum over arcs of |delta u - L/h| / number of arcs
 };
 
 /// Two charts that must be kept apart on their axis: coordinate[high] - coordinate[low] >= gap.
@@ -45,8 +45,8 @@ struct PolycubeError : MeshingError {
 /// Hard: delta u >= minimum_intervals along every arc's sign; charts of one axis that meet at a corner are equal.
 /// Soft: arc lengths; orders and gaps of `orders`; `separations` (dearer than anything but never infeasible); positions.
 /// Throws PolycubeError when constraints have a positive cycle, naming the CAD faces on it.
-Polycube quantize(const SurfaceMesh& mesh, const FeatureShape& shape, const std::vector<ChartOrder>& orders,
-                  const QuantizeOptions& options, const std::vector<Separation>& separations, Context& context);
+Polycube quantize(const SurfaceMesh& mesh, const FeatureShape& shape, const std::vector<ChartOrder>& orders, const QuantizeOptions& options,
+                  const std::vector<Separation>& separations, Context& context);
 /// The same, sampling its own orders.
 Polycube quantize(const SurfaceMesh& mesh, const FeatureShape& shape, const QuantizeOptions& options,
                   const std::vector<Separation>& separations, Context& context);

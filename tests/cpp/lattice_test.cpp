@@ -1,12 +1,15 @@
 // HexFeatureWB - LGPL-2.1-or-later
+#include "lattice/lattice.h"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <functional>
 #include <set>
 
 #include "fixtures.h"
-#include "lattice/lattice.h"
 
 using namespace hexfeature;
 using namespace fixtures;
@@ -103,4 +106,87 @@ TEST_CASE("twisted and bent shapes fill") {
 TEST_CASE("blocks are boxes between chart coordinates") {
   const auto lattice = build(voxel_surface(ell()));
   CHECK(*std::max_element(lattice.complex.hex_block.begin(), lattice.complex.hex_block.end()) == 2);
+}
+
+TEST_CASE("a polycube that collides is refused, blamed, and separated") {
+  // Two bosses with a narrow gap: put the second on top of the first.
+  auto surface = voxel_surface(unite(box({0, 0, 0}, {8, 3, 1}), unite(box({1, 1, 1}, {3, 2, 3}), box({5, 1, 1}, {7, 2, 3}))));
+  const auto shape = make_feature_shape(surface);
+  Context context;
+  Polycube bad = quantize(surface.mesh, shape, QuantizeOptions(), {}, context);
+  std::set<int> walls;  // the second boss' two walls across x
+  for (int c = 0; c < shape.chart_count(); ++c)
+    if (axis_of(shape.charts[c].label) == 0 && shape.charts[c].centroid.x() > 4 && shape.charts[c].centroid.x() < 7.5) walls.insert(c);
+  REQUIRE(walls.size() == 2);
+  for (int c : walls) bad.coordinate[c] -= 3;
+  for (int n = 0; n < shape.corner_count(); ++n)
+    for (int dart : shape.cells.nodes[n].darts)
+      if (walls.count(shape.cells.left_of(dart))) {
+        bad.corners[n][0] -= 3;
+        break;
+      }
+  const auto lattice = fill_lattice(shape, bad, 1, context);
+  CHECK(!lattice.report.ok);
+  CHECK(lattice.complex.hexes.empty());
+  CHECK(!lattice.report.reason.empty());
+  CHECK(lattice.report.charts.size() < static_cast<std::size_t>(shape.chart_count()));
+  REQUIRE(!lattice.report.separations.empty());
+  for (const auto& s : lattice.report.separations) CHECK(shape.charts[s.low].centroid.x() < shape.charts[s.high].centroid.x());
+  // What is suggested is enough, without any other order.
+  CHECK(fill_lattice(shape, quantize(surface.mesh, shape, {}, QuantizeOptions(), lattice.report.separations, context), 1, context).report.ok);
+}
+
+TEST_CASE("features thinner than half an element keep a layer of their own") {
+  // A pocket whose floor and a wall are a tenth of an element thick, and two slits as narrow.
+  auto v = subtract(box({0, 0, 0}, {7, 5, 4}), box({1, 1, 1}, {4, 4, 4}));
+  v = subtract(v, unite(box({5, 0, 1}, {6, 5, 4}), box({5, 0, 0}, {6, 1, 1})));
+  auto surface = voxel_surface(v);
+  deform(surface.mesh, [](const Vec3& p) {
+    const auto squeeze = [](double x) { return x < 1 ? 0.1 * x : x < 4 ? 0.1 + (x - 1) : x < 6 ? 3.1 + 0.1 * (x - 4) : 3.3 + (x - 6); };
+    return Vec3(squeeze(p.x()), squeeze(p.y()), squeeze(p.z()));
+  });
+  check_complex(build(surface), make_feature_shape(surface));
+}
+
+TEST_CASE("the same surface gives the same lattice") {
+  auto surface = voxel_surface(plate_with_boss(), 3);
+  deform(surface.mesh, [](const Vec3& p) { return Vec3(1.37 * p.x() + 0.1 * p.z(), 0.77 * p.y(), 1.21 * p.z()); });
+  const auto a = build(surface, 0.41), b = build(surface, 0.41);
+  CHECK(a.complex.hexes == b.complex.hexes);
+  CHECK(a.complex.points == b.complex.points);
+  CHECK(a.complex.quads == b.complex.quads);
+}
+
+TEST_CASE("bad input is an error, not a crash") {
+  const auto surface = voxel_surface(unit_box());
+  CHECK_THROWS_AS(build(surface, 0), MeshingError);
+  CHECK_THROWS_AS(build(surface, std::nan("")), MeshingError);
+  CHECK(!build(surface, 1e-5).report.ok);  // too many cells
+  auto shape = make_feature_shape(surface);
+  for (auto& arc : shape.arcs) arc.axis = -1;
+  Context context;
+  CHECK(!build_lattice(surface.mesh, shape, QuantizeOptions(), context).report.ok);
+  context.is_cancelled = [] { return true; };
+  CHECK_THROWS_AS(build_lattice(surface.mesh, make_feature_shape(surface), QuantizeOptions(), context), MeshingError);
+}
+
+TEST_CASE("speed: a staircase of 600 charts, a box of 100,000 cells") {
+  Voxels v;
+  for (int i = 0; i < 200; ++i) v = unite(v, box({i, 0, i}, {i + 2, 1 + i % 2, i + 1}));
+  const auto seconds = [](const std::function<void()>& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  const auto stairs = voxel_surface(v, 1);
+  const auto shape = make_feature_shape(stairs);
+  Context context;
+  Lattice lattice;
+  const double stairs_time = seconds([&] { lattice = build_lattice(stairs.mesh, shape, QuantizeOptions(), context); });
+  MESSAGE(shape.chart_count() << " charts: " << stairs_time << " s");
+  CHECK(cells_of(lattice) == v);
+  const auto cube = voxel_surface(unit_box(), 8);
+  const double cube_time = seconds([&] { lattice = build(cube, 1.0 / 46); });
+  MESSAGE(lattice.complex.hex_count() << " hexahedra: " << cube_time << " s");
+  CHECK(lattice.complex.hex_count() == 46 * 46 * 46);
 }

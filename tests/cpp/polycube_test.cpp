@@ -1,4 +1,6 @@
 // HexFeatureWB - LGPL-2.1-or-later
+#include "polycube/polycube.h"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 
 #include "fixtures.h"
 #include "polycube/difference_lp.h"
-#include "polycube/polycube.h"
 
 using namespace hexfeature;
 using namespace fixtures;
@@ -34,7 +35,8 @@ TEST_CASE("difference LPs: as good as a search over all integers, and never agai
     terms.push_back({0, 1, 1, kHardTerm});
     terms.push_back({1, 2, below(3), kHardTerm});
     const auto holds = [&](const std::vector<int>& x) {
-      return std::all_of(terms.begin(), terms.end(), [&](const DifferenceTerm& t) { return t.weight != kHardTerm || x[t.to] - x[t.from] >= t.gap; });
+      return std::all_of(terms.begin(), terms.end(),
+                         [&](const DifferenceTerm& t) { return t.weight != kHardTerm || x[t.to] - x[t.from] >= t.gap; });
     };
     const auto solution = solve_differences(n, terms);
     REQUIRE(solution.cycle.empty());
@@ -54,7 +56,8 @@ TEST_CASE("difference LPs: as good as a search over all integers, and never agai
 }
 
 TEST_CASE("a positive cycle of hard terms is found and named") {
-  const std::vector<DifferenceTerm> terms{{3, 0, 1, kHardTerm}, {0, 1, 1, kHardTerm}, {1, 2, 1, kHardTerm}, {2, 0, -1, kHardTerm}, {1, 3, 5, 7}};
+  const std::vector<DifferenceTerm> terms{
+      {3, 0, 1, kHardTerm}, {0, 1, 1, kHardTerm}, {1, 2, 1, kHardTerm}, {2, 0, -1, kHardTerm}, {1, 3, 5, 7}};
   const auto solution = solve_differences(4, terms);
   REQUIRE(solution.cycle.size() == 3);
   auto cycle = solution.cycle;
@@ -81,7 +84,8 @@ TEST_CASE("a chart's coordinate is a voxel coordinate when h is a voxel") {
     const auto surface = voxel_surface(v);
     const auto shape = make_feature_shape(surface);
     const auto polycube = solve(surface, 1);
-    for (int c = 0; c < shape.chart_count(); ++c) CHECK(polycube.coordinate[c] == doctest::Approx(shape.charts[c].centroid[axis_of(shape.charts[c].label)]));
+    for (int c = 0; c < shape.chart_count(); ++c)
+      CHECK(polycube.coordinate[c] == doctest::Approx(shape.charts[c].centroid[axis_of(shape.charts[c].label)]));
     for (int n = 0; n < shape.corner_count(); ++n)
       for (int k = 0; k < 3; ++k) CHECK(polycube.corners[n][k] == doctest::Approx(surface.mesh.points[shape.cells.nodes[n].vertex][k]));
   }

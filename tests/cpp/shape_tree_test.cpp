@@ -50,7 +50,8 @@ TEST_CASE("hits and closest points agree with a search over all triangles") {
     const auto found = tree.closest_if(p, accept);
     CHECK(found.distance2 == best);
     const auto& v = mesh.triangles[found.triangle];
-    const Vec3 q = found.barycentric[0] * mesh.points[v[0]] + found.barycentric[1] * mesh.points[v[1]] + found.barycentric[2] * mesh.points[v[2]];
+    const Vec3 q =
+        found.barycentric[0] * mesh.points[v[0]] + found.barycentric[1] * mesh.points[v[1]] + found.barycentric[2] * mesh.points[v[2]];
     CHECK((q - found.point).norm() < 1e-12);
 
     const Vec3 d = Vec3(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));

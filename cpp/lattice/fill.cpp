@@ -1,16 +1,16 @@
 // HexFeatureWB - LGPL-2.1-or-later
-#include "lattice/lattice.h"
-
 #include <algorithm>
-#include <utility>
+#include <array>
+#include <string>
 
+#include "lattice/lattice.h"
 #include "lattice/raster.h"
 #include "lattice/separate.h"
 
 namespace hexfeature {
 namespace {
 
-constexpr std::size_t kMostGridCells = 40'000'000;
+constexpr double kMostGridCells = 4e7;
 
 /// What the checks find, gathered until the report is written.
 struct Findings {
@@ -53,12 +53,12 @@ class Filler {
       lattice.report.reason = "the feature shape has no corners";
       return lattice;
     }
-    raster_ = rasterise(shape_, polycube_, context_);
-    grid_ = raster_.grid;
-    if (grid_.cell_count() > kMostGridCells) {
-      lattice.report.reason = "the lattice would have more than " + std::to_string(kMostGridCells) + " cells: raise the element size";
+    grid_ = bounding_grid(polycube_);
+    if (static_cast<double>(grid_.n[0]) * grid_.n[1] * grid_.n[2] > kMostGridCells) {
+      lattice.report.reason = "the lattice would have more than 40 million cells: raise the element size";
       return lattice;
     }
+    raster_ = rasterise(shape_, polycube_, context_);
     for (const auto& o : raster_.overlaps) findings_.add("a chart's outline crosses itself", o.first, o.second, o.at);
     for (int c : raster_.bad_charts) findings_.charts.push_back(c);
     if (findings_.reason.empty() && !raster_.bad_charts.empty()) findings_.reason = "a chart's outline is not simple";
@@ -103,7 +103,8 @@ class Filler {
             findings_.add("two charts lie on the same cells", cells[k].chart, cells[k + 1].chart, at);
           else if (k + 1 < j && sign(k) == sign(k + 1))
             findings_.add("two charts that face the same way follow each other", cells[k].chart, cells[k + 1].chart, at);
-          if ((k == i && sign(k) > 0) || (k + 1 == j && sign(k) < 0)) findings_.add("a chart faces the wrong way", cells[k].chart, cells[k == i ? j - 1 : i].chart, at);
+          if ((k == i && sign(k) > 0) || (k + 1 == j && sign(k) < 0))
+            findings_.add("a chart faces the wrong way", cells[k].chart, cells[k == i ? j - 1 : i].chart, at);
           if (sign(k) > 0 || k + 1 == j || sign(k + 1) < 0) continue;
           const int end = grid_.face_position(axis, cells[k + 1].key)[axis];
           std::size_t cell = grid_.cell(at[0], at[1], at[2]);
@@ -204,7 +205,8 @@ class Filler {
   void make_complex(HexComplex& complex) {
     const auto slab = slabs();
     std::vector<int> point(grid_.node_count(), -1);
-    const std::array<std::array<int, 3>, 8> corner{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
+    const std::array<std::array<int, 3>, 8> corner{
+        {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
     // Number the points in grid order, then the hexahedra.
     for (int z = 0; z < grid_.n[2]; ++z)
       for (int y = 0; y < grid_.n[1]; ++y)
@@ -272,7 +274,8 @@ class Filler {
     std::vector<Face> faces;
     for (int axis = 0; axis < 3; ++axis)
       for (const auto& c : raster_.cells[axis]) faces.push_back({c.chart, axis, c.key});
-    std::sort(faces.begin(), faces.end(), [](const Face& p, const Face& q) { return p.chart != q.chart ? p.chart < q.chart : p.key < q.key; });
+    std::sort(faces.begin(), faces.end(),
+              [](const Face& p, const Face& q) { return p.chart != q.chart ? p.chart < q.chart : p.key < q.key; });
     for (const auto& f : faces) {
       auto p = grid_.face_position(f.axis, f.key);
       const int a = (f.axis + 1) % 3, b = (f.axis + 2) % 3;
@@ -315,7 +318,8 @@ class Filler {
         return;
       }
       for (int first : charts_of(dim, item))
-        for (int second : charts_of(place.dim, place.item)) findings_.add("two feature lines meet where they should not", first, second, at);
+        for (int second : charts_of(place.dim, place.item))
+          findings_.add("two feature lines meet where they should not", first, second, at);
     };
     for (int n = 0; n < shape_.corner_count(); ++n) set(polycube_.corners[n], 0, n);
     for (int i = 0; i < shape_.arc_count(); ++i) {
@@ -352,58 +356,11 @@ class Filler {
   Findings findings_;
 };
 
-constexpr int kMostRounds = 25;
-
-/// Solve, fill, separate what collides, again.
-Lattice fill_with_separation(const SurfaceMesh& mesh, const FeatureShape& shape, const std::vector<ChartOrder>& orders,
-                             const QuantizeOptions& options, bool one_a_round, Context& context) {
-  Lattice lattice;
-  std::vector<Separation> separations;  // sorted
-  for (int round = 1; round <= kMostRounds; ++round) {
-    lattice = fill_lattice(shape, quantize(mesh, shape, orders, options, separations, context), 1, context, separations);
-    lattice.report.rounds = round;
-    lattice.report.size = options.size;
-    const auto& more = lattice.report.separations;
-    if (lattice.report.ok || more.empty()) break;
-    separations.insert(separations.end(), more.begin(), one_a_round ? more.begin() + 1 : more.end());
-    std::sort(separations.begin(), separations.end());
-  }
-  return lattice;
-}
-
 }  // namespace
 
 Lattice fill_lattice(const FeatureShape& shape, const Polycube& polycube, int solid, Context& context,
                      const std::vector<Separation>& tried) {
   return Filler(shape, polycube, solid, context).run(tried);
-}
-
-Lattice build_lattice(const SurfaceMesh& mesh, const FeatureShape& shape, const QuantizeOptions& options, Context& context) {
-  return build_lattice(mesh, shape, sample_axis_rays(mesh, ray_count(mesh, options), context), options, context);
-}
-
-Lattice build_lattice(const SurfaceMesh& mesh, const FeatureShape& shape, const AxisRays& rays, const QuantizeOptions& options,
-                      Context& context) {
-  Lattice first;
-  try {
-    auto orders = chart_orders(mesh, shape, rays, options.size, context);
-    auto all_orders = orders;
-    const auto by_position = position_orders(shape, 0.02 * options.size);
-    all_orders.insert(all_orders.end(), by_position.begin(), by_position.end());
-    for (const double factor : {1.0, 0.7, 0.5}) {
-      QuantizeOptions finer = options;
-      finer.size = factor * options.size;
-      for (const auto& [kept, one_a_round] : {std::make_pair(&orders, false), std::make_pair(&orders, true), std::make_pair(&all_orders, false)}) {
-        Lattice lattice = fill_with_separation(mesh, shape, *kept, finer, one_a_round, context);
-        if (lattice.report.ok) return lattice;
-        if (first.report.reason.empty()) first = std::move(lattice);
-      }
-    }
-  } catch (const PolycubeError& error) {
-    first.report.reason = error.reason;
-    first.report.charts = error.charts;
-  }
-  return first;  // the failure at the size that was asked for names its causes best
 }
 
 }  // namespace hexfeature
