@@ -8,6 +8,8 @@
 namespace hexfeature {
 namespace {
 
+constexpr double kConflictFactor = 2;  // see join_groups
+
 // What tells one group from another from sheet to sheet. A floor: its chart and the least node at its foot (nodes keep their numbers).
 std::vector<int> name_of(const SheetGroup& group) {
   return group.floor_chart >= 0 ? std::vector<int>{-1 - group.floor_chart, group.floor_edges.front()[0]} : group.charts;
@@ -23,13 +25,6 @@ SheetGroup united(const SheetGroup& a, const SheetGroup& b) {
   return u;
 }
 
-bool shrinks_at_all(const HexTopology& topology, const ShrinkSet& set, const SheetGroup& group) {
-  return std::all_of(group.smooth_edges.begin(), group.smooth_edges.end(), [&](const std::array<int, 2>& nodes) {
-    const auto* e = topology.find_edge(nodes[0], nodes[1]);
-    return e && set.inside[topology.edge_hexes[e->first]];
-  });
-}
-
 // Do charts of the two groups meet? At a sharp edge, as they are two groups: one sheet for both would wrap that edge.
 bool touching(const HexComplex& complex, const HexTopology& topology, const SheetGroup& a, const SheetGroup& b) {
   const auto in = [](const SheetGroup& g, int chart) { return std::binary_search(g.charts.begin(), g.charts.end(), chart); };
@@ -39,9 +34,8 @@ bool touching(const HexComplex& complex, const HexTopology& topology, const Shee
   });
 }
 
-// A sheet that runs through the solid and comes out where another group is to have one of its own would leave through that
-// group's smooth wall. If all that the other needs shrinks anyway, and the same shrinks for both, one sheet serves both (the two ends
-// of a shaft with a shoulder; not a boss and the disc it stands on).
+// Groups that are cheaper to serve by one sheet than by one each: both ends of a shaft whose shoulder the sheet runs through; not a boss
+// and the disc it stands on. Two sheets would leave through each other's smooth walls.
 SheetGroup join_groups(const HexComplex& complex, const SheetGroup& first, const std::vector<SheetGroup>& groups,
                        const SheetOptions& options, Context& context) {
   const HexTopology topology = make_topology(complex);
@@ -49,15 +43,17 @@ SheetGroup join_groups(const HexComplex& complex, const SheetGroup& first, const
   ShrinkSet set = choose_shrink_set(complex, topology, joined, options, context);
   for (const SheetGroup& other : groups) {
     if (!set.refusal.empty()) break;
-    if (other.floor_chart >= 0 || same_sheet(other, first) || !shrinks_at_all(topology, set, other)) continue;
-    if (touching(complex, topology, joined, other)) continue;
+    if (other.floor_chart >= 0 || same_sheet(other, first) || touching(complex, topology, joined, other)) continue;
+    const ShrinkSet alone = choose_shrink_set(complex, topology, other, options, context);
     const SheetGroup both = united(joined, other);
-    ShrinkSet larger = choose_shrink_set(complex, topology, both, options, context);
-    if (!larger.refusal.empty() || larger.inside != set.inside) continue;
-    for (int c : other.charts) set.covered[c] = 1;
-    if (larger.covered != set.covered) continue;
+    ShrinkSet together = choose_shrink_set(complex, topology, both, options, context);
+    if (!alone.refusal.empty() || !together.refusal.empty()) continue;
+    // Charts that only their conflict brought in speak against it, unless apart they come out far dearer.
+    const auto size = [](const ShrinkSet& x) { return std::count(x.covered.begin(), x.covered.end(), 1); };
+    const double dearer = size(together) > size(set) + size(alone) ? kConflictFactor : 1;
+    if (dearer * together.cost >= set.cost + alone.cost) continue;
     joined = both;
-    set = std::move(larger);
+    set = std::move(together);
   }
   return joined;
 }

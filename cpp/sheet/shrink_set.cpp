@@ -129,7 +129,9 @@ class Chooser {
       if (t.source[b]) links.push_back({source, b, infinite});
       if (t.sink[b]) links.push_back({b, sink, infinite});
     }
-    const std::vector<char> side = largest_minimum_cut(block_count_ + 2, std::move(links), source, sink);
+    const std::vector<char> side = largest_minimum_cut(block_count_ + 2, links, source, sink);
+    for (const CutArc& l : links)
+      if (side[l.from] && !side[l.to]) set.cost += l.capacity;
     set.inside.resize(block_.size());
     for (std::size_t h = 0; h < block_.size(); ++h) set.inside[h] = side[block_[h]];
     set.covered = covered_;

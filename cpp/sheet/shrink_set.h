@@ -12,6 +12,7 @@ namespace hexfeature {
 struct ShrinkSet {
   std::vector<char> inside;   ///< per hexahedron
   std::vector<char> covered;  ///< per chart: the sheet runs along the quads of `inside` on it; through the others it leaves
+  long long cost = 0;         ///< of the cut
   std::string refusal;        ///< not empty: there is none, and why
 };
 
