@@ -6,7 +6,7 @@ FREECAD := QT_QPA_PLATFORM=offscreen PYTHONPATH=/usr/lib/freecad-python3/lib:pyt
 
 cpp_files = $(shell git ls-files 'cpp/*.cpp' 'cpp/*.h' 'tests/cpp/*.cpp' 'tests/cpp/*.h')
 
-.PHONY: help deps build demo test test-cpp test-freecad test-python lint format wheel clean
+.PHONY: help deps build demo bench test test-cpp test-freecad test-python lint tidy format wheel clean
 .NOTPARALLEL:
 
 help:  ## this list
@@ -35,9 +35,15 @@ test-freecad: build
 test-python: build
 	$(PYTEST) tests/python
 
+bench: build  ## time and quality of the whole command on the project's own parts
+	$(PYTHON) benchmarks/own_parts.py out/parts
+
 lint: deps  ## formatting and static checks
 	clang-format --dry-run --Werror $(cpp_files)
-	flake8 python tests
+	flake8 python tests docs examples benchmarks
+
+tidy: build  ## clang-tidy on every source (minutes)
+	clang-tidy -p build --quiet $(filter cpp/%.cpp,$(cpp_files))
 
 format: deps  ## format the C++ sources
 	clang-format -i $(cpp_files)
