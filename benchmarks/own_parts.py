@@ -41,8 +41,8 @@ def main(out, names):
         quality = report["quality"]
         slowest = sorted(report["step_seconds"].items(), key=lambda item: -item[1])[:3]
         least, mean = quality["min_scaled_jacobian"], quality["mean_scaled_jacobian"]
-        print(f"{part.stem:20s} {quality['hexes']:7d} {seconds:7.2f} {least:7.3f} {mean:8.3f}  " + ", ".join(f"{step} {s:.2f}" for step, s in slowest),
-              flush=True)
+        where = ", ".join(f"{step} {s:.2f}" for step, s in slowest)
+        print(f"{part.stem:20s} {quality['hexes']:7d} {seconds:7.2f} {least:7.3f} {mean:8.3f}  {where}", flush=True)
     return 1 if failed else 0
 
 

@@ -28,4 +28,4 @@ def table():
 
 
 if __name__ == "__main__":
-    PAGE.write_text(BETWEEN.sub(lambda m: m[1] + table() + m[2], PAGE.read_text()))
+    PAGE.write_text(BETWEEN.sub(lambda m: m[1] + table() + m[2], PAGE.read_text(encoding="utf-8")), encoding="utf-8")

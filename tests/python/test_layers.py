@@ -13,7 +13,7 @@ OCCT_ROOMS = {"brep", "surface"}
 def declared_rooms():
     """room -> rooms that it may include, from CMakeLists.txt; a room declared later can never be used by one before it."""
     allowed = {}
-    for room, uses in re.findall(r"hexfeature_room\((\w+)([\w ]*)\)", (ROOT / "CMakeLists.txt").read_text()):
+    for room, uses in re.findall(r"hexfeature_room\((\w+)([\w ]*)\)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")):
         allowed[room] = {room}.union(*(allowed[u] for u in uses.split()))
     allowed["bindings"] = set(allowed) | {"bindings"}
     return allowed
@@ -27,7 +27,7 @@ def sources(folder):
 
 
 def includes(path):
-    return re.findall(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', path.read_text(), re.MULTILINE)
+    return re.findall(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', path.read_text(encoding="utf-8"), re.MULTILINE)
 
 
 def test_every_folder_is_a_declared_room():
@@ -48,7 +48,7 @@ def test_only_brep_and_surface_know_opencascade(room):
 
 
 def imported_modules(path):
-    for node in ast.walk(ast.parse(path.read_text())):
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
             yield from (a.name.split(".")[0] for a in node.names)
         elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
@@ -63,6 +63,6 @@ def test_the_package_knows_no_freecad():
 
 def test_every_source_says_its_licence():
     for path in sources(ROOT / "cpp") + sources(ROOT / "tests" / "cpp"):
-        assert path.read_text().startswith("// HexFeatureWB - LGPL-2.1-or-later\n"), path
+        assert path.read_text(encoding="utf-8").startswith("// HexFeatureWB - LGPL-2.1-or-later\n"), path
     for path in sorted((ROOT / "python").rglob("*.py")):
-        assert "# HexFeatureWB - LGPL-2.1-or-later\n" in path.read_text().split("\n", 2)[0] + "\n", path
+        assert "# HexFeatureWB - LGPL-2.1-or-later\n" in path.read_text(encoding="utf-8").split("\n", 2)[0] + "\n", path
