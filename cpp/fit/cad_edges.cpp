@@ -74,9 +74,30 @@ void BoundaryFit::route_cad_edges() {
     for (int side = 0; side < 2; ++side)
       if (changed[side] >= 0)
         for (const Stop& stop : chains[changed[side]].stops) ok = ok && (!stop.pinned || stop.node >= 0);
+    const Region before = regions[region];
+    const int region_count = static_cast<int>(regions.size());
     ok = ok && split(region, index);
+    const char* why = "part and lattice would be cut differently";
+    if (ok) {
+      // A cut that the maps cannot follow was the wrong one.
+      update(region);
+      int folded = regions[region].map.folded;
+      for (int r = region_count; r < static_cast<int>(regions.size()); ++r) {
+        update(r);
+        folded += regions[r].map.folded;
+      }
+      if (folded > before.map.folded + 2) {
+        ok = false;
+        why = "the maps on its sides would fold";
+        regions[region] = before;
+        regions[region].dirty = true;
+        regions.resize(region_count);
+        for (int t : before.triangles) region_of_triangle[t] = region;
+        for (int q : before.quads) region_of_quad[q] = region;
+      }
+    }
     if (!ok) {
-      report_given_up(*this, curve, "part and lattice would be cut differently");
+      report_given_up(*this, curve, why);
       detach(index);
       chains.pop_back();
       chain_lattice.pop_back();

@@ -17,7 +17,16 @@ Vec3 Chain::lattice_at(double x, const std::vector<Vec3>& lattice) const {
   const auto it = std::upper_bound(node_s.begin() + 1, node_s.end() - 1, x);
   const int i = static_cast<int>(it - node_s.begin()) - 1;
   const double d = node_s[i + 1] - node_s[i];
-  const double f = d > 0 ? std::clamp((x - node_s[i]) / d, 0.0, 1.0) : 0.0;
+  double f = d > 0 ? std::clamp((x - node_s[i]) / d, 0.0, 1.0) : 0.0;
+  constexpr double kCutOff = 0.1;
+  const bool cut_start = i == 0 && first > 0, cut_end = i + 2 == static_cast<int>(node_s.size()) && last < s.back();
+  const double low = cut_start ? kCutOff : 0.0, high = cut_end ? 1 - kCutOff : 1.0;
+  if (cut_start && x < first)
+    f = kCutOff * x / first;
+  else if (cut_end && x > last)
+    f = 1 - kCutOff * (s.back() - x) / (s.back() - last);
+  else
+    f = low + f * (high - low);
   return (1 - f) * lattice[nodes[i]] + f * lattice[nodes[i + 1]];
 }
 
@@ -33,6 +42,9 @@ void measure(Chain& chain, const SurfaceMesh& mesh, const Geometry& geometry) {
   chain.s.assign(segments + 1, 0);
   for (int i = 0; i < segments; ++i)
     chain.s[i + 1] = chain.s[i] + (mesh.points[chain.vertices[i + 1]] - mesh.points[chain.vertices[i]]).norm();
+
+  chain.first = 0;
+  chain.last = chain.length();
 
   const auto rank = [&](int e) { return e == 0 ? 0 : geometry.edge(e).sharp ? 2 : 1; };
   chain.stops.clear();
@@ -108,9 +120,9 @@ void space_nodes(Chain& chain) {
     double s;
     int node, stop;
   };
-  std::vector<Station> stations{{0.0, 0, -1}};
+  std::vector<Station> stations{{chain.first, 0, -1}};
   for (int i = 0; i < static_cast<int>(stops.size()); ++i)
-    if (stops[i].pinned) {
+    if (stops[i].pinned && chain.s[stops[i].vertex] > chain.first && chain.s[stops[i].vertex] < chain.last) {
       if (stops[i].node <= stations.back().node || stops[i].node >= n) {
         stops[i].pinned = false;  // two curves disagree: the earlier one wins
         stops[i].node = -1;
@@ -118,7 +130,7 @@ void space_nodes(Chain& chain) {
         stations.push_back({chain.s[stops[i].vertex], stops[i].node, i});
       }
     }
-  stations.push_back({chain.length(), n, static_cast<int>(stops.size())});
+  stations.push_back({chain.last, n, static_cast<int>(stops.size())});
 
   chain.node_s.assign(n + 1, 0);
   for (std::size_t k = 0; k + 1 < stations.size(); ++k) {
@@ -126,7 +138,8 @@ void space_nodes(Chain& chain) {
     const int intervals = b.node - a.node;
     const double mean = (b.s - a.s) / intervals;
     std::vector<int> inner;
-    for (int i = a.stop + 1; i < b.stop; ++i) inner.push_back(i);
+    for (int i = a.stop + 1; i < b.stop; ++i)
+      if (chain.s[stops[i].vertex] > a.s && chain.s[stops[i].vertex] < b.s) inner.push_back(i);
     const auto gap = [&](std::size_t i) {
       const double before = i == 0 ? a.s : chain.s[stops[inner[i - 1]].vertex];
       const double after = i + 1 == inner.size() ? b.s : chain.s[stops[inner[i + 1]].vertex];
@@ -165,11 +178,11 @@ void space_nodes(Chain& chain) {
       if (i + 1 < pieces) stops[inner[i]].node = node;
     }
   }
-  chain.node_s[n] = chain.length();
+  chain.node_s[n] = chain.last;
 }
 
-std::vector<int> snap_corners(const std::vector<Chain>& chains, const SurfaceMesh& mesh, const FeatureShape& shape,
-                              const Geometry& geometry, double reach) {
+std::vector<int> snap_corners(std::vector<Chain>& chains, const SurfaceMesh& mesh, const FeatureShape& shape, const Geometry& geometry,
+                              double reach) {
   const auto hard_vertex = [&](int v) {
     const CadPlace& p = mesh.place[v];
     return p.dim == 0 && p.entity > 0 && geometry.vertex(p.entity).hard;
@@ -207,10 +220,11 @@ std::vector<int> snap_corners(const std::vector<Chain>& chains, const SurfaceMes
   std::vector<std::array<double, 2>> used(chains.size(), {0, 0});
   for (const Candidate& m : candidates) {
     if (target[m.corner] >= 0 || taken[m.vertex]) continue;
-    const Chain& chain = chains[m.chain];
+    Chain& chain = chains[m.chain];
     const bool at_start = shape.cells.edges[chain.arc].start == m.corner && chain.s[m.index] == m.distance;
     if (used[m.chain][at_start ? 1 : 0] + m.distance > 0.75 * chain.length()) continue;
     used[m.chain][at_start ? 0 : 1] = m.distance;
+    (at_start ? chain.first : chain.last) = chain.s[m.index];
     target[m.corner] = m.vertex;
     taken[m.vertex] = 1;
   }

@@ -28,13 +28,15 @@ struct Chain {
   std::vector<int> nodes;      ///< of the complex; closed: first == last
   std::vector<double> node_s;  ///< arc length at each node
   std::vector<Stop> stops;     ///< in order of vertex
+  double first = 0, last = 0;  ///< arc length of the first and last node: a snapped corner stands inside the polyline
 
   double length() const { return s.back(); }
   int intervals() const { return static_cast<int>(nodes.size()) - 1; }
   bool closed() const { return vertices.front() == vertices.back(); }
   /// Index i with s[i] <= x <= s[i + 1].
   int segment_at(double x) const;
-  /// Lattice position (real) of polyline vertex i: linear between the nodes on either side.
+  /// Lattice position (real) at arc length x: linear between the nodes on either side. What a snapped corner cut off keeps a
+  /// little of the first interval, so that no triangle of a map collapses.
   Vec3 lattice_at(double x, const std::vector<Vec3>& lattice) const;
 };
 
@@ -54,9 +56,9 @@ void measure(Chain& chain, const SurfaceMesh& mesh, const Geometry& geometry);
 void space_nodes(Chain& chain);
 
 /// Hard CAD vertices within `reach` along an arc end attract the corner there: per corner, the mesh vertex to move to, or -1.
-/// Each vertex serves one corner; an arc keeps a positive length.
-std::vector<int> snap_corners(const std::vector<Chain>& chains, const SurfaceMesh& mesh, const FeatureShape& shape,
-                              const Geometry& geometry, double reach);
+/// Each vertex serves one corner; an arc keeps a positive length. Sets the chains' `first` and `last`.
+std::vector<int> snap_corners(std::vector<Chain>& chains, const SurfaceMesh& mesh, const FeatureShape& shape, const Geometry& geometry,
+                              double reach);
 
 /// CAD place and position of the point at arc length x of the chain.
 CadPlace place_on_chain(const Chain& chain, double x, const SurfaceMesh& mesh, const Geometry& geometry, Vec3& point);

@@ -10,9 +10,9 @@
 namespace hexfeature {
 
 struct FitOptions {
-  double size = 1;           ///< element size h
-  double corner_snap = 1.1;  ///< a hard CAD vertex within this many h along an arc attracts the corner (experiments B4)
-  bool smooth_edges = true;  ///< also follow tangent CAD edges where a cheap path exists
+  double size = 1;            ///< element size h
+  double corner_snap = 1.1;   ///< a hard CAD vertex within this many h along an arc attracts the corner (experiments B4)
+  bool smooth_edges = true;   ///< also follow tangent CAD edges where a cheap path exists
   std::vector<int> released;  ///< CAD edges (1-based, sorted) that need not be followed where they run inside a chart
 };
 

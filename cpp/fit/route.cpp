@@ -14,8 +14,12 @@ namespace {
 constexpr double kReach = 1.7;                               ///< lattice units that an end may move
 constexpr double kSharpRms = 1.3, kSmoothRms = 0.8;          ///< root mean square distance of a path that is too dear
 constexpr double kSharpLargest = 2.2, kSmoothLargest = 1.3;  ///< largest distance of a path that is too dear
-constexpr double kLeastTurn = 30 * EIGEN_PI / 180;           ///< a path may only turn where the curve turns at least so much
-constexpr double kFlat = 150 * EIGEN_PI / 180;               ///< an angle between two followed edges that no quad corner should have
+/// A path may only turn where the curve turns at least so much within an element: the corner that the turn puts there opens to 180
+/// degrees less that turn. Losing a sharp edge is worse than a poor corner.
+constexpr double kSharpTurn = 14 * EIGEN_PI / 180, kSmoothTurn = 30 * EIGEN_PI / 180;
+constexpr double kFlat = 150 * EIGEN_PI / 180;  ///< an angle between two followed edges that no quad corner should have
+
+constexpr double kSkip = 3;  ///< curve length that one step may stand for, in its own lengths
 
 struct PathEnd {
   int node;
@@ -144,14 +148,17 @@ std::vector<int> route_open_curve(const BoundaryFit& fit, int region, const Inne
   };
   // Distance in lattice units, or on the part in element sizes where the map is crowded: the lesser of the two.
   std::vector<double> known_distance(fit.node_taken.size(), -1), known_s(fit.node_taken.size(), 0);
-  const RegionMap& map = fit.regions[region].map;
+  const auto on_part = [&](int node) {
+    const RegionMap& map = fit.regions[region].map;
+    return map.point_at(map.locate(fit.flatten(chart, fit.lattice[node])));
+  };
   const auto distance = [&](int node, double& s) {
     if (known_distance[node] < 0) {
       const Vec2 q = fit.flatten(chart, fit.lattice[node]);
       double d2 = flat.distance2(q, known_s[node]);
       if (d2 > 0.25 && d2 < 25) {
         double s_part;
-        const double part2 = flat.distance2_on_part(map.point_at(map.locate(q)), s_part) / (fit.options.size * fit.options.size);
+        const double part2 = flat.distance2_on_part(on_part(node), s_part) / (fit.options.size * fit.options.size);
         if (part2 < d2) {
           d2 = part2;
           known_s[node] = s_part;
@@ -208,8 +215,9 @@ std::vector<int> route_open_curve(const BoundaryFit& fit, int region, const Inne
     distance(n, s);
     const double turn = flat.turn_at(s);
     const double price = 0.5 * std::max(0.0, 1.5708 - std::abs(turn));
-    if (turn > kLeastTurn) relax(left, c + price, g);
-    if (turn < -kLeastTurn) relax(right, c + price, g);
+    const double least_turn = curve.sharp ? kSharpTurn : kSmoothTurn;
+    if (turn > least_turn) relax(left, c + price, g);
+    if (turn < -least_turn) relax(right, c + price, g);
   }
   if (goal < 0) return give_up("no path without a flat corner");
   std::vector<int> path{net.to(goal)};
@@ -222,6 +230,14 @@ std::vector<int> route_open_curve(const BoundaryFit& fit, int region, const Inne
   for (int n : path) {
     double s;
     sum += distance(n, s);
+  }
+  // The path must run along the whole curve: no step may skip a part of it (a chord across a loop would).
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    double s0 = 0, s1 = curve.length;
+    if (i > 0) distance(path[i], s0);
+    if (i + 2 < path.size()) distance(path[i + 1], s1);
+    const double step = (on_part(path[i + 1]) - on_part(path[i])).norm();
+    if (std::abs(s1 - s0) > kSkip * std::max(fit.options.size, step)) return give_up("the path would skip a part of it");
   }
   const double rms = std::sqrt(sum / static_cast<double>(path.size()));
   if (rms > (curve.sharp ? kSharpRms : kSmoothRms)) return give_up("too far, " + std::to_string(rms));

@@ -108,8 +108,9 @@ int untangle(const std::vector<std::array<int, 3>>& triangles, const std::vector
   };
 
   int folded = 0;
-  double least = worst(folded), last_eps2 = 1e300;
-  for (int round = 0; round < 40 && folded > 0 && variables > 0; ++round) {
+  double least = worst(folded), last_eps2 = 1e300, best = least;
+  int stalled = 0;
+  for (int round = 0; round < 40 && folded > 0 && variables > 0 && stalled < 5; ++round) {
     context.check();
     eps2 = std::min(last_eps2, 1e-6 + 0.04 * std::min(least, 0.0) * std::min(least, 0.0));
     if (round > 10) eps2 = std::min(eps2, 0.5 * last_eps2);
@@ -118,6 +119,8 @@ int untangle(const std::vector<std::array<int, 3>>& triangles, const std::vector
     for (int i = 0; i < n; ++i)
       if (variable[i] >= 0) flat[i] = x.segment<2>(2 * variable[i]);
     least = worst(folded);
+    stalled = least > best + 0.3 * std::abs(best) ? 0 : stalled + 1;
+    best = std::max(best, least);
   }
   return folded;
 }
