@@ -21,6 +21,7 @@
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <mutex>
@@ -86,6 +87,38 @@ TopoDS_Shape transfer(Reader& reader, const std::string& path, const std::string
   return reader.OneShape();
 }
 
+/// OCCT may crash on a file that refers to entities which it does not have (one that lost its middle or end).
+void check_references(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  const std::string text(std::istreambuf_iterator<char>(in), {});
+  std::vector<std::uint64_t> defined, used;
+  bool quoted = false;
+  char before = ';';  // the last character that is no blank
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '\'') quoted = !quoted;
+    if (!quoted && c == '/' && i + 1 < text.size() && text[i + 1] == '*') {  // a comment, which counts as a blank
+      i = text.find("*/", i + 2);
+      if (i == std::string::npos) break;
+      ++i;
+      continue;
+    }
+    if (!quoted && c == '#' && i + 1 < text.size() && text[i + 1] >= '0' && text[i + 1] <= '9') {
+      std::uint64_t id = 0;
+      while (i + 1 < text.size() && text[i + 1] >= '0' && text[i + 1] <= '9') id = id * 10 + static_cast<std::uint64_t>(text[++i] - '0');
+      (before == ';' ? defined : used).push_back(id);
+      before = '0';
+    } else if (static_cast<unsigned char>(c) > ' ') {
+      before = c;
+    }
+  }
+  std::sort(defined.begin(), defined.end());
+  for (const std::uint64_t id : used)
+    if (!std::binary_search(defined.begin(), defined.end(), id))
+      bad_input("'" + path + "' is incomplete: it refers to #" + std::to_string(id) + ", which it does not have",
+                "export or download the part again");
+}
+
 TopoDS_Shape read_step(const std::string& path, Context& context) {
   std::ifstream in(path, std::ios::binary);
   std::string head(512, '\0');
@@ -94,6 +127,7 @@ TopoDS_Shape read_step(const std::string& path, Context& context) {
     bad_input("'" + path + "' is not a STEP file", "its first line must be ISO-10303-21;");
   if (tail(path, 4096).find("END-ISO-10303-21") == std::string::npos)
     bad_input("'" + path + "' is truncated", "export or download the part again");
+  check_references(path);
   STEPControl_Reader reader;
   return transfer(reader, path, "STEP", context);
 }

@@ -6,11 +6,24 @@
 #include "surface/surface.h"
 
 namespace hexfeature {
+namespace {
+constexpr double kMostTriangles = 2e7;
+}
 
 SurfaceMesh triangulate(const CadModel& model, const SurfaceOptions& options, Context& context) {
   if (!(options.size > 0) || !std::isfinite(options.size))
     throw MeshingError(Failure::Usage, "surface", "the element size must be positive");
   context.progress("surface", 0);
+  // Before anything grows: a size far below the part's would fill the memory.
+  double triangles = 0;
+  for (const CadFace& f : model.faces) {
+    const double edge = 0.7 * options.size * (f.kind == SurfaceKind::Plane ? options.plane_factor : options.edge_factor);
+    if (f.solid > 0) triangles += f.area / (0.43 * edge * edge);
+  }
+  if (triangles > kMostTriangles)
+    throw MeshingError(Failure::Usage, "surface",
+                       "the element size is too small for this part: its surface alone would need more than 20 million triangles",
+                       "choose a larger element size");
   return guarded("surface", "the surface cannot be triangulated", [&] {
     Refiner refiner(model, options.edge_factor * options.size, options.plane_factor * options.size, options.segments_per_turn);
     refiner.run(context);

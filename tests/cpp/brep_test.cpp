@@ -2,6 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <BRep_Builder.hxx>
+#include <IGESControl_Writer.hxx>
+#include <STEPControl_Writer.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
@@ -218,6 +220,49 @@ TEST_CASE("several solids, voids, an inside-out solid, a closed shell, stray fac
   const auto alone = model_of(stray);
   CHECK(alone->faces.size() == 6);
   CHECK(alone->warnings.size() == 1);
+}
+
+TEST_CASE("STEP, IGES and BREP files") {
+  const auto folder = std::filesystem::temp_directory_path() / "hexfeature_brep_files";
+  std::filesystem::create_directories(folder);
+  const TopoDS_Shape shape = plate_with_hole();
+  STEPControl_Writer step;
+  step.Transfer(shape, STEPControl_AsIs);
+  step.Write((folder / "part.STEP").c_str());
+  IGESControl_Writer solid("MM", 1), faces("MM", 0);
+  solid.AddShape(shape);
+  solid.Write((folder / "solid.igs").c_str());
+  faces.AddShape(shape);
+  faces.Write((folder / "faces.iges").c_str());
+  BRepTools::Write(shape, (folder / "part.brep").c_str());
+  for (const char* name : {"part.STEP", "solid.igs", "faces.iges", "part.brep"}) {
+    Context context;
+    const auto m = read_cad((folder / name).string(), context);
+    CHECK(m->faces.size() == 7);
+    CHECK(m->volume() == doctest::Approx(40 * 30 * 8 - 36 * EIGEN_PI * 8).epsilon(1e-4));
+    CHECK(count(*m, SurfaceKind::Cylinder) >= 1);
+  }
+  std::ifstream in(folder / "part.STEP");
+  const std::string whole(std::istreambuf_iterator<char>(in), {});
+  for (const double part : {0.1, 0.5, 0.99}) {
+    std::ofstream(folder / "cut.step") << whole.substr(0, static_cast<std::size_t>(part * static_cast<double>(whole.size())));
+    CHECK(failure((folder / "cut.step").string()).find("truncated") != std::string::npos);
+    // The same with its last line in place: what is missing must not pass for a part.
+    std::ofstream(folder / "patched.step") << whole.substr(0, static_cast<std::size_t>(part * static_cast<double>(whole.size())))
+                                           << ";\nENDSEC;\nEND-ISO-10303-21;\n";
+    const std::string said = failure((folder / "patched.step").string());  // at 0.99 the geometry may still be whole
+    if (part < 0.9) CHECK_FALSE(said.empty());
+  }
+  TopoDS_Shell open;
+  BRep_Builder builder;
+  builder.MakeShell(open);
+  int n = 0;
+  for (TopExp_Explorer f(shape, TopAbs_FACE); f.More() && n < 5; f.Next(), ++n) builder.Add(open, f.Current());
+  STEPControl_Writer open_step;
+  open_step.Transfer(open, STEPControl_AsIs);
+  open_step.Write((folder / "open.step").c_str());
+  CHECK(failure((folder / "open.step").string()).find("not closed") != std::string::npos);
+  std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("bad input is said, with a hint") {

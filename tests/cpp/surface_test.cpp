@@ -6,6 +6,7 @@
 #include <BRep_Builder.hxx>
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -186,6 +187,16 @@ TEST_CASE("the mesh is in the working frame") {
   const auto model = model_of(plate_with_hole());
   model->place(Eigen::AngleAxisd(1, Vec3(1, 2, 3).normalized()).toRotationMatrix(), Vec3(20, 15, 4));
   check_mesh(*model, mesh_of(*model, 4), 4, 0);
+}
+
+TEST_CASE("sizes that cannot be") {
+  const auto model = model_of(box(4, 3, 2));
+  for (const double size : {0.0, -1.0, std::nan(""), 1e-9, HUGE_VAL}) CHECK_THROWS_AS(mesh_of(*model, size), MeshingError);
+  CHECK(mesh_of(*model, 1e6).triangle_count() == 12);
+  Context context;
+  context.is_cancelled = [] { return true; };
+  SurfaceOptions options;
+  CHECK_THROWS_AS(triangulate(*model, options, context), MeshingError);
 }
 
 TEST_CASE("the same mesh every time") {
