@@ -13,7 +13,7 @@ constexpr std::size_t kOpen = 20000;   // states kept waiting
 constexpr std::size_t kChildren = 60;  // best children of one expansion that are kept
 constexpr int kSitesPerExpansion = 14;
 constexpr int kSplitSites = 5;
-constexpr std::size_t kTurnCuts = 8;  // cuts where an arc turns back, of one expansion
+constexpr std::size_t kTurnCuts = 8;   // cuts where an arc turns back, of one expansion
 constexpr double kLeastCosine = -0.3;  // a site never takes a label that its normals oppose more
 constexpr int kAfterBest = 4;          // expansions spent on improving a filled state ...
 constexpr int kAfterBestDefects = 40;  // ... and so many more for each soft defect that it has
@@ -307,13 +307,17 @@ std::vector<SiteCut> LabelSearch::cuts_at_turns(const LabelState& state, const i
 
 void LabelSearch::expand_splits(const LabelState& state, const int* first, const int* last) {
   const double h = options_.size;
-  for (const SiteCut& cut : cuts_at_turns(state, first, last)) split(state, cut);
+  const std::vector<SiteCut> turns = cuts_at_turns(state, first, last);
+  for (const SiteCut& cut : turns) split(state, cut);
+  // Of a valid state's defects those are the ones that other splits cannot cure.
+  if (state.score.valid() && !turns.empty() && state.phase == 0) return;
   // Tilted faces first: a part of a face square to an axis can only be flattened.
   const MacroGraph& graph = tree_.graph(state.cutting);
   std::vector<int> sites(first, last);
   std::stable_sort(sites.begin(), sites.end(),
                    [&](int a, int b) { return blame_[a] * (0.3 + graph.tilt[a]) > blame_[b] * (0.3 + graph.tilt[b]); });
   if (static_cast<int>(sites.size()) > kSplitSites) sites.resize(kSplitSites);
+
   for (int s : sites) {
     if (graph.area[s] < 0.1 * h * h) continue;
     const Vec3 low = graph.low[s], high = graph.high[s];
@@ -378,10 +382,16 @@ SearchResult LabelSearch::run() {
   while (!finished()) {
     context_.check();
     LabelState state = pop();
-    if (state.score.valid() && !state.fill_tried && (!have_best_ || state.total < result_.best.total - 1e-12)) {
+    const auto worth_filling = [&] {
+      return state.score.valid() && !state.fill_tried && (!have_best_ || state.total < result_.best.total - 1e-12);
+    };
+    const auto try_to_fill = [&] {
       fill(state);
       if (state.filled) keep_best(state);
-      if (have_best_ && result_.best.score.defects < options_.good_defects) break;
+      return have_best_ && result_.best.score.defects < options_.good_defects;
+    };
+    if (worth_filling() && state.score.defects < options_.good_defects) {
+      if (try_to_fill()) break;
       push(std::move(state));
       continue;
     }
@@ -398,7 +408,10 @@ SearchResult LabelSearch::run() {
     if (!solved) expand_splits(state, order.data() + begin, order.data() + end);
     std::stable_sort(children_.begin(), children_.end(), [](const LabelState& a, const LabelState& b) { return a.total < b.total; });
     if (children_.size() > kChildren) children_.resize(kChildren);
+    // A state with defects is filled only when it has no better valid child: filling is dear.
+    const bool topped = !children_.empty() && children_.front().score.valid() && children_.front().total < state.total - 1e-3;
     for (LabelState& child : children_) push(std::move(child));
+    if (!topped && worth_filling()) try_to_fill();
     ++state.phase;
     push(std::move(state));
   }

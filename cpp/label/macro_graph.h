@@ -12,12 +12,12 @@ namespace hexfeature {
 /// on the neighbours' labels are computed once, from every triangle and every mesh edge, so that nothing is lost to means.
 struct MacroGraph {
   struct Edge {
-    int left = -1, right = -1;  ///< sites
-    int start = -1, end = -1;   ///< nodes; -1 when closed without one
-    Vec3 first = Vec3::Zero();         ///< its first point
-    Vec3 displacement = Vec3::Zero();  ///< of the last point from the first
-    Vec3 low = Vec3::Zero(), high = Vec3::Zero();  ///< least and greatest displacement on the way, per axis
-    Vec3 fall = Vec3::Zero(), rise = Vec3::Zero(); ///< greatest way back down, and up, from start to end, per axis
+    int left = -1, right = -1;                      ///< sites
+    int start = -1, end = -1;                       ///< nodes; -1 when closed without one
+    Vec3 first = Vec3::Zero();                      ///< its first point
+    Vec3 displacement = Vec3::Zero();               ///< of the last point from the first
+    Vec3 low = Vec3::Zero(), high = Vec3::Zero();   ///< least and greatest displacement on the way, per axis
+    Vec3 fall = Vec3::Zero(), rise = Vec3::Zero();  ///< greatest way back down, and up, from start to end, per axis
     double length = 0;
     double dihedral = 0;     ///< length-weighted mean, signed, radians
     double differ = 0;       ///< energy when the two sites' labels differ
