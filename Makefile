@@ -2,7 +2,7 @@
 PYTHON := /usr/bin/python3
 PRESET := $(if $(CI),ci,release)
 PYTEST := PYTHONPATH=python $(PYTHON) -m pytest -p no:cacheprovider
-FREECAD := QT_QPA_PLATFORM=offscreen PYTHONPATH=/usr/lib/freecad-python3/lib:python $(PYTHON)
+FREECAD := QT_QPA_PLATFORM=offscreen PYTHONPATH=/usr/lib/freecad-python3/lib:/usr/lib/freecad/Mod:/usr/lib/freecad/Mod/Fem:/usr/lib/freecad/Ext:python $(PYTHON)
 
 cpp_files = $(shell git ls-files 'cpp/*.cpp' 'cpp/*.h' 'tests/cpp/*.cpp' 'tests/cpp/*.h')
 

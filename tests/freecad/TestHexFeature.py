@@ -123,11 +123,12 @@ class TestCalculiX(DocumentTest):
         return result, FreeCAD.Vector(*reaction)
 
     def test_cantilever_agrees_with_beam_theory(self):
-        # 100 x 10 x 10 mm, 1 kN at the end, theory 1.920 mm (bending 1.905, shear 0.015).
-        for order, deflection in ((1, 1.716), (2, 1.907)):
-            result, reaction = self.solve(make_parts.box(), 2.5 if order == 1 else 5, "Face1", "Face2", 1000.0, "Face6", order=order)
+        # 100 x 10 x 10 mm, 1 kN at the end: bending 1.905 mm, shear 0.015. First order locks a little even at four elements across.
+        theory = 1.920
+        for order, size, tolerance in ((1, 2.5, 0.05), (2, 5, 0.01)):
+            result, reaction = self.solve(make_parts.box(), size, "Face1", "Face2", 1000.0, "Face6", order=order)
             found = max(v.Length for v in result.DisplacementVectors)
-            self.assertAlmostEqual(found, deflection, delta=0.02 * deflection)
+            self.assertAlmostEqual(found, theory, delta=tolerance * theory)
             self.assertAlmostEqual(reaction.Length, 1000, delta=1)
 
     def test_reaction_of_a_bracket_equals_its_load(self):
