@@ -40,6 +40,7 @@ class Inserter {
     add_layer();
     move_quads();
     move_feature_edges();
+    if (bends_a_curve()) return "the sheet would leave along a CAD edge and turn off it within one quad";
     const std::string wrong = check_complex(result_);
     if (!wrong.empty()) return wrong;
     complex = std::move(result_);
@@ -364,6 +365,17 @@ class Inserter {
       result_.feature_edges.push_back(i.nodes);
       result_.feature_edge_cad.push_back(i.cad);
     }
+  }
+
+  // A new quad with two neighbouring edges on one CAD edge would have a corner of 180 degrees.
+  bool bends_a_curve() const {
+    for (std::size_t q = old_.quads.size(); q < result_.quads.size(); ++q)
+      for (int i = 0; i < 4; ++i) {
+        const auto& n = result_.quads[q];
+        const int cad = feature_of(result_, n[i], n[(i + 1) % 4]);
+        if (cad > 0 && cad == feature_of(result_, n[(i + 1) % 4], n[(i + 2) % 4])) return true;
+      }
+    return false;
   }
 
   // All hexahedra round a boundary edge shrink: no sheet face there.
