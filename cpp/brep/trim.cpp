@@ -192,10 +192,10 @@ void fill_grid(const FaceGeometry& g, TrimRegion& r) {
       high = high.cwiseMax((uv.array() + 1.5 * p.uv_sag).matrix());
     }
   const Vec2 extent = (high - low).cwiseMax(1e-12);
-  // Cells about square in space, some four to a border piece.
+  // Cells about square in space; many, so that the border crosses few of them.
   const SurfaceJet jet = g.jet1(0.5 * (g.lower + g.upper));
   const double aspect = std::clamp(jet.du.norm() * extent[0] / std::max(1e-12, jet.dv.norm() * extent[1]), 1.0 / 64, 64.0);
-  const double cells = std::clamp(6.0 * static_cast<double>(r.pieces.size()), 100.0, 10000.0);
+  const double cells = std::clamp(40.0 * static_cast<double>(r.pieces.size()), 400.0, 20000.0);
   r.columns = std::clamp(static_cast<int>(std::sqrt(cells * aspect)), 4, 256);
   r.rows = std::clamp(static_cast<int>(cells / r.columns), 4, 256);
   r.lower = low;
