@@ -12,6 +12,8 @@ namespace hexfeature {
 
 namespace {
 
+constexpr double kFolded = 1e-9;  ///< twice the area of an image that counts as folded
+
 /// Cotangent weights of the triangles, clipped to stay positive, and the Dirichlet problem with fixed vertices.
 void solve_harmonic(const std::vector<std::array<int, 3>>& triangles, const std::vector<Vec3>& points, const std::vector<char>& fixed,
                     std::vector<Vec2>& flat) {
@@ -143,12 +145,28 @@ RegionMap map_region(const SurfaceMesh& mesh, const std::vector<int>& triangles,
   solve_harmonic(map.triangles, map.points, fixed, map.flat);
   const auto count_folded = [&] {
     int folded = 0;
-    for (const auto& v : map.triangles) folded += cross2(map.flat[v[1]] - map.flat[v[0]], map.flat[v[2]] - map.flat[v[0]]) <= 1e-9;
+    for (const auto& v : map.triangles) folded += cross2(map.flat[v[1]] - map.flat[v[0]], map.flat[v[2]] - map.flat[v[0]]) <= kFolded;
     return folded;
   };
   map.folded = count_folded();
-  if (map.folded > 0) {
-    untangle(map.triangles, map.points, fixed, map.flat, context);
+  // Only the surroundings of folds take part: a big chart with a fold at one corner costs no more than a small one.
+  for (const int rings : {5, 15}) {
+    if (map.folded == 0) break;
+    std::vector<char> near(map.points.size(), 0);
+    for (const auto& v : map.triangles)
+      if (cross2(map.flat[v[1]] - map.flat[v[0]], map.flat[v[2]] - map.flat[v[0]]) <= kFolded) near[v[0]] = near[v[1]] = near[v[2]] = 1;
+    for (char ring = 1; ring <= rings; ++ring)
+      for (const auto& v : map.triangles) {
+        const bool touches = (near[v[0]] && near[v[0]] <= ring) || (near[v[1]] && near[v[1]] <= ring) || (near[v[2]] && near[v[2]] <= ring);
+        for (int k : v)
+          if (touches && !near[k]) near[k] = static_cast<char>(ring + 1);
+      }
+    std::vector<char> held(fixed);
+    for (std::size_t i = 0; i < held.size(); ++i) held[i] = held[i] || !near[i];
+    std::vector<std::array<int, 3>> part;
+    for (const auto& v : map.triangles)
+      if (!held[v[0]] || !held[v[1]] || !held[v[2]]) part.push_back(v);
+    untangle(part, map.points, held, map.flat, context);
     map.folded = count_folded();
   }
   for (int c = 0; c < 3 * count; ++c) corner_flat[3 * triangles[c / 3] + c % 3] = map.flat[vertex[c]];
