@@ -79,7 +79,7 @@ int CutTree::child(int parent, const SiteCut& cut) {
     return -1;
   }
   node.partition = std::make_unique<Partition>(make_partition(node.regions->mesh, node.regions->site));
-  node.graph = std::make_unique<MacroGraph>(make_macro_graph(*node.regions, *node.partition, size_));
+  node.graph = std::make_unique<MacroGraph>(make_macro_graph(*node.regions, *node.partition, size_, nodes_[parent].graph.get(), cut.site));
   node.used = ++clock_;
   const int id = size();
   nodes_[parent].children.emplace_back(cut, id);

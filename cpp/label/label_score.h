@@ -40,8 +40,9 @@ class LabelScorer {
   ChartGraph charts;
   ChartChecker checker;
 
-  /// Length that an arc may run backwards along its axis without blame, in h.
-  static constexpr double kBackward = 0.25;
+  /// Length that an arc may run backwards along its axis without blame, in h: from end to end, and anywhere on its way (where a
+  /// wiggle below the lattice's spacing does no harm: small islands may join their surroundings).
+  static constexpr double kBackward = 0.25, kFolded = 0.75;
 
  private:
   void build_charts(const MacroGraph& graph, const std::vector<Label>& labels);

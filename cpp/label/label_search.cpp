@@ -18,7 +18,8 @@ constexpr double kLeastCosine = -0.3;  // a site never takes a label that its no
 constexpr int kAfterBest = 4;          // expansions spent on improving a filled state ...
 constexpr int kAfterBestDefects = 40;  // ... and so many more for each soft defect that it has
 constexpr double kFillWork = 3e5;      // counted work of one fill check
-constexpr double kSplitWork = 2e4;
+constexpr double kSplitWork = 1.5;     // ... of one split, per triangle of the surface
+constexpr double kImproveWork = 3e7;   // counted work spent on improving a filled state
 constexpr double kTangent = 20 * EIGEN_PI / 180;
 
 double total_of(const LabelState& s, const CutTree& tree) {
@@ -143,19 +144,29 @@ void LabelSearch::push_starts() {
     starts.push_back(starts.front());
     iterate_modes(graph, starts.back(), differ);
   }
+  std::vector<LabelState> states;
   for (auto& labels : starts) {
     LabelState state;
     state.labels = std::move(labels);
     if (!evaluate(state)) continue;
     LabelState merged = state;
     merge_islands(merged);
-    push(std::move(state));
-    if (evaluate(merged)) push(std::move(merged));
+    states.push_back(std::move(state));
+    if (evaluate(merged)) states.push_back(std::move(merged));
   }
+  // A valid start that fills is something to fall back on, however many defects it has.
+  std::stable_sort(states.begin(), states.end(), [](const LabelState& a, const LabelState& b) { return a.total < b.total; });
+  for (LabelState& state : states) {
+    if (have_best_ || !state.score.valid()) continue;
+    fill(state);
+    if (state.filled) keep_best(state);
+  }
+  for (LabelState& state : states) push(std::move(state));
 }
 
 void LabelSearch::keep_best(const LabelState& state) {
   if (have_best_ && state.total >= result_.best.total - 1e-12) return;
+  if (!have_best_) improve_until_ = result_.work + kImproveWork;
   have_best_ = true;
   result_.best = state;
 }
@@ -172,6 +183,7 @@ void LabelSearch::fill(LabelState& state) {
 
 bool LabelSearch::finished() const {
   return open_.empty() || result_.expansions >= options_.max_expansions || result_.work > options_.max_work ||
+         (have_best_ && (result_.work > improve_until_ || result_.best.score.defects < options_.good_defects)) ||
          (have_best_ && after_best_ > kAfterBest + kAfterBestDefects * std::max(0.0, result_.best.score.defects - 0.4));
 }
 
@@ -248,7 +260,7 @@ void LabelSearch::expand_labels(const LabelState& state, const int* first, const
 }
 
 void LabelSearch::split(const LabelState& state, const SiteCut& cut) {
-  result_.work += kSplitWork;
+  result_.work += kSplitWork * tree_.regions(0).mesh.triangle_count();
   context_.check();
   const int cutting = tree_.child(state.cutting, cut);
   if (cutting < 0) return;
@@ -267,12 +279,14 @@ void LabelSearch::split(const LabelState& state, const SiteCut& cut) {
       child.labels[p] = l;
       if (evaluate(child)) children_.push_back(std::move(child));
     }
-  if (parts.size() > 2)  // all new parts together
+  if (parts.size() < 3) return;
+  for (int kept : parts)  // all parts but one together: a cut often leaves two pieces on one side
     for (Label l = 0; l < 6; ++l) {
       LabelState child;
       child.cutting = cutting;
       child.labels = labels;
-      for (std::size_t i = 1; i < parts.size(); ++i) child.labels[parts[i]] = l;
+      for (int p : parts)
+        if (p != kept) child.labels[p] = l;
       if (l != labels[cut.site] && evaluate(child)) children_.push_back(std::move(child));
     }
 }
@@ -286,7 +300,7 @@ std::vector<SiteCut> LabelSearch::cuts_at_turns(const LabelState& state, const i
   std::vector<SiteCut> cuts;
   for (int a = 0; a < scorer_.charts.arc_count(); ++a) {
     const auto back = scorer_.backward(graph, a);
-    if (back.length <= LabelScorer::kBackward * h) continue;
+    if (back.length <= LabelScorer::kFolded * h) continue;
     for (int s : scorer_.sites_beside(graph, a)) {
       if (std::find(first, last, s) == last) continue;
       const int axis = scorer_.checker.axis[a];

@@ -81,6 +81,7 @@ class LabelSearch {
   LabelScorer scorer_;
   SearchResult result_;
   bool have_best_ = false;
+  double improve_until_ = 0;  // counted work
   int after_best_ = 0;  // expansions since something filled
   // Waiting states in two orders, expanded in turn: by `total`, and with defects dear and violations cheap: a valid
   // labelling that flattens a pocket is often further from a good one than an invalid one is.

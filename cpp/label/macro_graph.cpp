@@ -12,7 +12,7 @@ constexpr double kTangent = 20 * kDegree, kBlunt = 40 * kDegree, kBent = 50 * kD
 // At 70 degrees sharp edges got lost; at 60 a hexagonal hole, which must merge two of its walls, failed.
 constexpr double kCrease = 63 * kDegree;
 
-void add_sites(const Regions& regions, const Partition& partition, double size, MacroGraph& graph) {
+void add_sites(const Regions& regions, const Partition& partition, double size, const MacroGraph* parent, int changed, MacroGraph& graph) {
   const SurfaceMesh& mesh = regions.mesh;
   const int sites = static_cast<int>(partition.parts.size());
   graph.area.assign(sites, 0);
@@ -23,7 +23,18 @@ void add_sites(const Regions& regions, const Partition& partition, double size, 
   graph.cosine.assign(sites, {});
   graph.fidelity.assign(sites, {});
   graph.defect.assign(sites, {});
+  const auto known = [&](int s) { return parent && s < parent->site_count() && s != changed; };
   for (int s = 0; s < sites; ++s) {
+    if (known(s)) {
+      graph.area[s] = parent->area[s];
+      graph.low[s] = parent->low[s];
+      graph.high[s] = parent->high[s];
+      graph.tilt[s] = parent->tilt[s];
+      graph.cosine[s] = parent->cosine[s];
+      graph.fidelity[s] = parent->fidelity[s];
+      graph.defect[s] = parent->defect[s];
+      continue;
+    }
     for (int t : partition.parts[s].triangles) {
       const double area = mesh.area(t);
       const Vec3 n = mesh.mean_normal(t);
@@ -42,7 +53,10 @@ void add_sites(const Regions& regions, const Partition& partition, double size, 
     graph.total_area += graph.area[s];
   }
   const double h2 = size * size;
+  // Shares of one total, the parent's: a cut hardly changes it, and energies must compare between cuttings.
+  if (parent) graph.total_area = parent->total_area;
   for (int s = 0; s < sites; ++s) {
+    if (known(s)) continue;
     const double area = std::max(graph.area[s], 1e-300);
     graph.tilt[s] /= area * (1 - 1 / std::sqrt(3.0));
     for (Label l = 0; l < 6; ++l) {
@@ -90,9 +104,9 @@ void add_edges(const SurfaceMesh& mesh, const Partition& partition, double size,
 
 }  // namespace
 
-MacroGraph make_macro_graph(const Regions& regions, const Partition& partition, double size) {
+MacroGraph make_macro_graph(const Regions& regions, const Partition& partition, double size, const MacroGraph* parent, int changed) {
   MacroGraph graph;
-  add_sites(regions, partition, size, graph);
+  add_sites(regions, partition, size, parent, changed, graph);
   add_edges(regions.mesh, partition, size, graph);
 
   graph.node_first.push_back(0);

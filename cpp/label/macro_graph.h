@@ -55,6 +55,9 @@ struct MacroGraph {
 ///   labels equal: 3 len l above 63 degrees, 0.3 len l from 40 to 63.
 /// Soft defects: a site with mean n.l < 0.17: 0.6 min(1, 1/4 + A/h^2) min(1.5, (0.17 - n.l) / 0.17);
 ///   equal labels across more than 63 degrees: 0.4 min(1, 0.3 + len/h).
-MacroGraph make_macro_graph(const Regions& regions, const Partition& partition, double size);
+///
+/// With `parent`, the graph from which one split of `changed` made `regions`: other sites' own costs are taken from there.
+MacroGraph make_macro_graph(const Regions& regions, const Partition& partition, double size, const MacroGraph* parent = nullptr,
+                            int changed = -1);
 
 }  // namespace hexfeature
