@@ -178,12 +178,20 @@ std::vector<int> route_open_curve(const BoundaryFit& fit, int region, const Inne
   using Item = std::pair<double, int>;
   std::priority_queue<Item, std::vector<Item>, std::greater<Item>> queue;
   const Vec3 start_direction = flat.direction_from(true), end_direction = flat.direction_from(false);
+  // The path must run along the whole curve: no step may skip a part of it (a chord across a loop would).
+  const auto skips = [&](int g, double s0, double s1) {
+    const double jump = std::abs(s1 - s0);
+    return jump > kSkip * fit.options.size && jump > kSkip * (on_part(net.to(g)) - on_part(net.from(g))).norm();
+  };
   const auto relax = [&](int g, double c, int from) {
     if (!inside(g)) return;
     const int n = net.to(g);
     double s;
     const double d2 = distance(n, s);
-    const bool may_end = end_cost[n] >= 0 && !opens_flat(fit, net.opposite[g], end_direction, last_h);
+    double s0 = 0;
+    if (from >= 0) distance(net.from(g), s0);
+    const bool may_end = end_cost[n] >= 0 && !skips(g, s0, curve.length) && !opens_flat(fit, net.opposite[g], end_direction, last_h);
+    if (!may_end && skips(g, s0, s)) return;
     if (!may_end && (fit.node_taken[n] > 0 || d2 > largest * largest)) return;
     c += kStep + (may_end ? 0 : d2);
     if (c < cost[g]) {
@@ -203,7 +211,10 @@ std::vector<int> route_open_curve(const BoundaryFit& fit, int region, const Inne
     queue.pop();
     if (c > cost[g] || c >= goal_cost) continue;
     const int n = net.to(g);
-    if (end_cost[n] >= 0 && !opens_flat(fit, net.opposite[g], end_direction, last_h) && c + end_cost[n] < goal_cost) {
+    double s_before = 0;
+    if (before[g] >= 0) distance(net.from(g), s_before);
+    if (end_cost[n] >= 0 && !skips(g, s_before, curve.length) && !opens_flat(fit, net.opposite[g], end_direction, last_h) &&
+        c + end_cost[n] < goal_cost) {
       goal = g;
       goal_cost = c + end_cost[n];
     }
@@ -231,7 +242,7 @@ std::vector<int> route_open_curve(const BoundaryFit& fit, int region, const Inne
     double s;
     sum += distance(n, s);
   }
-  // The path must run along the whole curve: no step may skip a part of it (a chord across a loop would).
+  // Ends taken from another side than the search came from may still skip.
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     double s0 = 0, s1 = curve.length;
     if (i > 0) distance(path[i], s0);
