@@ -14,9 +14,12 @@ constexpr std::size_t kChildren = 60;  // best children of one expansion that ar
 constexpr int kSitesPerExpansion = 14;
 constexpr int kSplitSites = 5;
 constexpr std::size_t kTurnCuts = 8;   // cuts where an arc turns back, of one expansion
+constexpr double kTilted = 0.01;       // faces nearer to square with an axis are split only in later phases
+constexpr int kCombined = 12;          // relabellings of one expansion that are tried together
+constexpr double kClean = 0.25;        // defects that a relabelling that cures a violation may add and still be clean
 constexpr double kLeastCosine = -0.3;  // a site never takes a label that its normals oppose more
 constexpr int kAfterBest = 4;          // expansions spent on improving a filled state ...
-constexpr int kAfterBestDefects = 40;  // ... and so many more for each soft defect that it has
+constexpr int kAfterBestDefects = 12;  // ... and so many more when it has a defect too many
 constexpr double kFillWork = 3e5;      // counted work of one fill check
 constexpr double kSplitWork = 1.5;     // ... of one split, per triangle of the surface
 constexpr double kImproveWork = 3e7;   // counted work spent on improving a filled state
@@ -28,6 +31,12 @@ double total_of(const LabelState& s, const CutTree& tree) {
 }
 
 double useful_key(const LabelState& s) { return s.total - 0.8 * s.score.violations + 2 * s.score.defects + kPutBack * s.phase; }
+
+/// Whether a relabelling cures a violation at little cost in defects.
+bool is_clean(const LabelState& before, const LabelState& after) {
+  const double cured = before.score.violations - after.score.violations, added = after.score.defects - before.score.defects;
+  return cured > 0.9 && added < kClean;
+}
 
 std::uint64_t hash_of(const LabelState& s) {
   std::uint64_t h = 1469598103934665603ull ^ static_cast<std::uint64_t>(s.cutting);
@@ -184,7 +193,7 @@ void LabelSearch::fill(LabelState& state) {
 bool LabelSearch::finished() const {
   return open_.empty() || result_.expansions >= options_.max_expansions || result_.work > options_.max_work ||
          (have_best_ && (result_.work > improve_until_ || result_.best.score.defects < options_.good_defects)) ||
-         (have_best_ && after_best_ > kAfterBest + kAfterBestDefects * std::max(0.0, result_.best.score.defects - 0.4));
+         (have_best_ && after_best_ > kAfterBest + kAfterBestDefects * std::min(1.0, std::max(0.0, result_.best.score.defects - 0.4)));
 }
 
 /// Sites in the order in which they are worth changing: the most blamed one, the blamed ones that touch it and each other, then the next
@@ -257,6 +266,43 @@ void LabelSearch::expand_labels(const LabelState& state, const int* first, const
       if (std::abs(graph.edges[d / 2].dihedral) < kTangent || graph.face[t] == graph.face[s]) relabel({s, t});
     }
   }
+}
+
+/// Independent defects have independent cures: put the best relabellings of an expansion together, one after another, as long as that
+/// helps.
+void LabelSearch::combine_children(const LabelState& state) {
+  std::vector<int> order;
+  for (int i = 0; i < static_cast<int>(children_.size()); ++i)
+    if (is_clean(state, children_[i]) || (state.score.valid() && children_[i].score.valid() && children_[i].total < state.total - 0.1))
+      order.push_back(i);
+  if (order.size() < 2) return;
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return children_[a].total < children_[b].total; });
+  LabelState combined = children_[order.front()];
+  std::vector<char> touched(state.labels.size(), 0);
+  const auto touch = [&](const LabelState& child) {
+    for (std::size_t s = 0; s < state.labels.size(); ++s) touched[s] = touched[s] || child.labels[s] != state.labels[s];
+  };
+  touch(combined);
+  int added = 0;
+  const MacroGraph& graph = tree_.graph(state.cutting);
+  for (int i : order) {
+    const LabelState& child = children_[i];
+    bool apart = true;
+    for (std::size_t s = 0; s < state.labels.size() && apart; ++s) apart = child.labels[s] == state.labels[s] || !touched[s];
+    if (!apart) continue;
+    LabelState next = combined;
+    for (std::size_t s = 0; s < state.labels.size(); ++s)
+      if (child.labels[s] != state.labels[s]) next.labels[s] = child.labels[s];
+    next.score = scorer_.score(graph, next.labels);
+    next.total = total_of(next, tree_);
+    ++result_.scored;
+    result_.work += graph.edge_count() + graph.site_count();
+    if (next.total >= combined.total - 0.05) continue;
+    combined = std::move(next);
+    touch(combined);
+    if (++added >= kCombined) break;
+  }
+  if (added > 0 && evaluate(combined)) children_.push_back(std::move(combined));
 }
 
 void LabelSearch::split(const LabelState& state, const SiteCut& cut) {
@@ -333,7 +379,7 @@ void LabelSearch::expand_splits(const LabelState& state, const int* first, const
   if (static_cast<int>(sites.size()) > kSplitSites) sites.resize(kSplitSites);
 
   for (int s : sites) {
-    if (graph.area[s] < 0.1 * h * h) continue;
+    if (graph.area[s] < 0.1 * h * h || (state.phase == 0 && graph.tilt[s] < kTilted)) continue;
     const Vec3 low = graph.low[s], high = graph.high[s];
     const std::vector<int> darts(graph.site_darts.begin() + graph.site_first[s], graph.site_darts.begin() + graph.site_first[s + 1]);
     for (int d : darts) {
@@ -417,9 +463,11 @@ SearchResult LabelSearch::run() {
     if (begin >= end) continue;
     children_.clear();
     expand_labels(state, order.data() + begin, order.data() + end);
-    bool solved = false;
-    for (const LabelState& child : children_) solved = solved || (child.score.valid() && child.score.defects < options_.good_defects);
-    if (!solved) expand_splits(state, order.data() + begin, order.data() + end);
+    combine_children(state);
+    bool clean = false;  // labels alone go on well: no need for splits, which are dear
+    for (const LabelState& child : children_)
+      clean = clean || (child.score.valid() && child.score.defects < options_.good_defects) || is_clean(state, child);
+    if (!clean || state.phase > 0) expand_splits(state, order.data() + begin, order.data() + end);
     std::stable_sort(children_.begin(), children_.end(), [](const LabelState& a, const LabelState& b) { return a.total < b.total; });
     if (children_.size() > kChildren) children_.resize(kChildren);
     // A state with defects is filled only when it has no better valid child: filling is dear.

@@ -68,6 +68,7 @@ class LabelSearch {
   bool finished() const;
   void keep_best(const LabelState& state);
   std::vector<int> sites_to_repair(const LabelState& state);
+  void combine_children(const LabelState& state);
   void expand_labels(const LabelState& state, const int* first, const int* last);
   std::vector<SiteCut> cuts_at_turns(const LabelState& state, const int* first, const int* last);
   void expand_splits(const LabelState& state, const int* first, const int* last);
