@@ -13,8 +13,8 @@ inline Eigen::Map<Vec3> at(std::vector<double>& x, int v) { return Eigen::Map<Ve
 }  // namespace
 
 Boundary::Boundary(const std::vector<CadPlace>& place, const std::vector<char>& free, const Projector& projector, double size,
-                   Workers& workers)
-    : projector_(projector), size_(size), workers_(workers) {
+                   Workers& workers, const Context& context)
+    : projector_(projector), size_(size), workers_(workers), context_(context) {
   for (int v = 0; v < static_cast<int>(place.size()); ++v) {
     if (!free[v] || place[v].dim == 0) fixed_.push_back(v);
     if (!free[v] || place[v].dim < 0 || place[v].dim > 2) continue;
@@ -65,7 +65,10 @@ void Boundary::find_foot(int i, const Vec3& p) {
 double Boundary::find_feet(const std::vector<double>& x) {
   const int n = static_cast<int>(node_.size());
   workers_.run(n, 64, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) find_foot(i, at(x, node_[i]));
+    for (int i = begin; i < end; ++i) {
+      breathe(i);
+      find_foot(i, at(x, node_[i]));
+    }
   });
   double deviation = 0;
   for (int i = 0; i < n; ++i) deviation = std::max(deviation, (feet_.foot[i] - feet_.origin[i]).squaredNorm());
@@ -74,8 +77,10 @@ double Boundary::find_feet(const std::vector<double>& x) {
 
 void Boundary::find_feet(const std::vector<double>& x, const std::vector<char>& which) {
   workers_.run(static_cast<int>(node_.size()), 64, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i)
+    for (int i = begin; i < end; ++i) {
+      breathe(i);
       if (which[node_[i]]) find_foot(i, at(x, node_[i]));
+    }
   });
 }
 

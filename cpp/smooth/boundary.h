@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/context.h"
 #include "mesh/projector.h"
 #include "mesh/surface_mesh.h"
 #include "smooth/workers.h"
@@ -26,7 +27,8 @@ class Boundary {
   };
 
   /// `place` of each point; a point that is not `free` is never moved. `size` is the element size h.
-  Boundary(const std::vector<CadPlace>& place, const std::vector<char>& free, const Projector& projector, double size, Workers& workers);
+  Boundary(const std::vector<CadPlace>& place, const std::vector<char>& free, const Projector& projector, double size, Workers& workers,
+           const Context& context);
 
   /// Find the feet of all boundary points, from the parameters of their last ones. Returns the largest distance.
   double find_feet(const std::vector<double>& x);
@@ -61,6 +63,10 @@ class Boundary {
 
  private:
   void find_foot(int i, const Vec3& p);
+  /// Splines take their time: asks for cancellation now and then, from any thread.
+  void breathe(int i) const {
+    if (i % 512 == 0) context_.check();
+  }
   Vec3 penalised(int i, const Vec3& d) const;
 
   std::vector<int> node_, entity_;
@@ -70,6 +76,7 @@ class Boundary {
   const Projector& projector_;
   double size_;
   Workers& workers_;
+  const Context& context_;
 };
 
 }  // namespace hexfeature

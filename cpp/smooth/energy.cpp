@@ -98,12 +98,14 @@ double HexEnergy::floor(const EnergyTerms& terms) const {
 }
 
 HexEnergy::HexEnergy(const std::vector<std::array<int, 8>>& hexes, int points, const std::vector<double>& target,
-                     const std::vector<double>& shortest, const std::vector<char>& thorough, Workers& workers)
+                     const std::vector<double>& shortest, const std::vector<double>& least, const std::vector<char>& thorough,
+                     Workers& workers)
     : hexes_(static_cast<int>(hexes.size())), points_(points), workers_(workers) {
   const int groups = (hexes_ + kLanes - 1) / kLanes;
   nodes_.resize(8 * kLanes * groups);
   inverse_size_.resize(kLanes * groups);
   shortest_.resize(kLanes * groups);
+  least_.resize(kLanes * groups);
   weight_.assign(kLanes * groups, 0.0);
   thorough_.assign(groups, 0);
   parts_.resize(groups);
@@ -121,6 +123,7 @@ HexEnergy::HexEnergy(const std::vector<std::array<int, 8>>& hexes, int points, c
     const double ratio = shortest[h] / target[h];
     inverse_size_[i] = 1 / target[h];
     shortest_[i] = ratio * ratio;
+    least_[i] = (least[h] / target[h]) * (least[h] / target[h]);
     weight_[i] = i < hexes_ ? 1 : 0;
     if (thorough[h]) thorough_[group] = 1;
     for (int k = 0; k < 8; ++k) {
@@ -140,6 +143,7 @@ HexEnergy::Part HexEnergy::evaluate_group(int group, const double* x, const Ener
   const Lanes inverse = Eigen::Map<const Lanes>(inverse_size_.data() + kLanes * group);
   const Lanes weight = Eigen::Map<const Lanes>(weight_.data() + kLanes * group);
   const Lanes wall = Eigen::Map<const Lanes>(shortest_.data() + kLanes * group);
+  const Lanes allowed = Eigen::Map<const Lanes>(least_.data() + kLanes * group);
   Vector p[8];
   for (int k = 0; k < 8; ++k)
     for (int l = 0; l < kLanes; ++l) {
@@ -171,6 +175,7 @@ HexEnergy::Part HexEnergy::evaluate_group(int group, const double* x, const Ener
     Lanes beta = part_shape * (2 * theta * d * inverse_chi - slope * inverse_chi * ((1 - theta) * (2.0 / 3.0) * f + theta * g));
     Lanes alpha_a = alpha, alpha_b = alpha, alpha_c = alpha;
     if (kWorst) {
+      if ((aa.min(bb).min(cc) < allowed).any()) return {std::numeric_limits<double>::infinity(), 0};
       const Lanes q = (aa * bb * cc).sqrt() / d, power = share * to_power(q, terms.power), slope_q = terms.power * power;
       const Lanes ia = aa.inverse(), ib = bb.inverse(), ic = cc.inverse();
       const Lanes wa = (wall * ia - 1).max(0.0), wb = (wall * ib - 1).max(0.0), wc = (wall * ic - 1).max(0.0);

@@ -22,7 +22,8 @@ namespace hexfeature {
 /// other end. The determinant's Bernstein coefficient of that edge is the mean of two of their determinants.
 ///
 /// The worst-element energy, for power p > 0, is Sum (|e1| |e2| |e3| / det)^p + shape_weight E + a wall against edges shorter
-/// than the element's shortest allowed one m: 4 (m^2 / |e|^2 - 1)^2 where |e| < m. It is defined on valid elements alone.
+/// than the element's shortest wanted one m: 4 (m^2 / |e|^2 - 1)^2 where |e| < m. It is defined on valid elements alone, and only
+/// while no edge is shorter than the element's least allowed one.
 struct EnergyTerms {
   double theta = 0.1;
   double epsilon_squared = 1e-6;
@@ -39,9 +40,9 @@ struct EnergyValue {
 /// at a time, then each point gathers its gradient from its elements in a fixed order: bit-identical for any thread count.
 class HexEnergy {
  public:
-  /// `target` is L, `shortest` is m of each hexahedron (lengths > 0).
+  /// `target` is L, `shortest` is m, `least` is the least allowed edge of each hexahedron (lengths > 0).
   HexEnergy(const std::vector<std::array<int, 8>>& hexes, int points, const std::vector<double>& target,
-            const std::vector<double>& shortest, const std::vector<char>& thorough, Workers& workers);
+            const std::vector<double>& shortest, const std::vector<double>& least, const std::vector<char>& thorough, Workers& workers);
 
   /// A lower bound of the energy: that of perfect elements.
   double floor(const EnergyTerms& terms) const;
@@ -67,6 +68,7 @@ class HexEnergy {
   std::vector<int> nodes_;             ///< per group of four elements: 8 nodes x 4 lanes, as offsets into x
   std::vector<double> inverse_size_;   ///< per group and lane
   std::vector<double> shortest_;       ///< (m / L)^2
+  std::vector<double> least_;          ///< (least / L)^2
   std::vector<double> weight_;         ///< 1, or 0 in the empty lanes of the last group
   std::vector<char> thorough_;         ///< per group
   std::vector<int> start_, incident_;  ///< per point: where its gradient parts are in slots_

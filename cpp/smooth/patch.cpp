@@ -66,19 +66,22 @@ Patch::Patch(const HexComplex& mesh, const std::vector<char>& free_points, Smoot
     place.push_back(mesh.place[v]);
     for (int a = 0; a < 3; ++a) x.push_back(mesh.points[v][a]);
   }
-  std::vector<double> target, shortest;
+  std::vector<double> target, shortest, least;
   std::vector<char> thorough;
-  for (int h : elements) {
+  for (int element : elements) {
     std::array<int, 8> hex;
-    for (int k = 0; k < 8; ++k) hex[k] = own[mesh.hexes[h][k]];
+    for (int k = 0; k < 8; ++k) hex[k] = own[mesh.hexes[element][k]];
     hexes.push_back(hex);
-    const double size = setting.target[h];
+    const double size = setting.target[element];
     target.push_back(size);
     thorough.push_back(quality_of(x.data(), hex) < 0.3);
-    shortest.push_back(std::max(std::min(0.15 * setting.options.size, 0.6 * shortest_edge(x, hex)), 1e-9 * size));
+    const double edge = shortest_edge(x, hex), h = setting.options.size;
+    shortest.push_back(std::clamp(0.6 * edge, 0.08 * h, 0.15 * h));
+    // An element that comes with a shorter edge (a thin wall) may keep it.
+    least.push_back(std::max(std::min(0.05 * h, 0.9 * edge), 1e-9 * size));
   }
-  boundary = std::make_unique<Boundary>(place, free, setting.projector, setting.options.size, setting.workers);
-  energy = std::make_unique<HexEnergy>(hexes, static_cast<int>(nodes.size()), target, shortest, thorough, setting.workers);
+  boundary = std::make_unique<Boundary>(place, free, setting.projector, setting.options.size, setting.workers, setting.context);
+  energy = std::make_unique<HexEnergy>(hexes, static_cast<int>(nodes.size()), target, shortest, least, thorough, setting.workers);
 }
 
 void Patch::measure(const std::vector<double>& at, std::vector<double>& quality) const {

@@ -56,7 +56,7 @@ TEST_CASE("the gradient is the energy's derivative") {
       Workers workers(1);
       const std::size_t n = shaken.hexes.size();
       HexEnergy energy(shaken.hexes, shaken.point_count(), std::vector<double>(n, 0.8), std::vector<double>(n, 0.9),
-                       std::vector<char>(n, power == 1 || amount > 0.5), workers);
+                       std::vector<double>(n, 1e-6), std::vector<char>(n, power == 1 || amount > 0.5), workers);
       EnergyTerms terms;
       terms.power = power;
       terms.epsilon_squared = 0.01;
@@ -160,6 +160,36 @@ TEST_CASE("a cube's lattice with its surface thrown onto a sphere untangles") {
   const SmoothReport r = timed("cube thrown onto a ball", c, SphereProjector(5), sized(1));
   CHECK(r.inverted_before > 0);
   CHECK(r.min_sj > 0.15);
+}
+
+TEST_CASE("thorough elements see folds along edges that their corners do not show") {
+  std::mt19937 random(11);
+  int folds = 0;
+  for (int trial = 0; trial < 20000 && folds < 10; ++trial) {
+    HexComplex c = box_mesh({1, 1, 1}, Vec3(1, 1, 1));
+    for (auto& p : c.place) p.dim = 3;
+    shake_inside(c, 0.45, random());
+    if (!(scaled_jacobian(c.points, c.hexes[0]) > 0) || proves_positive(c.points, c.hexes[0])) continue;
+    ++folds;
+    Workers workers(1);
+    std::vector<double> x;
+    for (const Vec3& p : c.points) x.insert(x.end(), {p[0], p[1], p[2]});
+    for (char thorough : {0, 1}) {
+      HexEnergy energy(c.hexes, 8, {1.0}, {0.1}, {0.01}, {thorough}, workers);
+      const double d = energy.evaluate(x.data(), EnergyTerms{}, nullptr).min_det;
+      CHECK((thorough ? d < 0 : d > 0));
+    }
+  }
+  CHECK(folds == 10);
+}
+
+TEST_CASE("an inner edge is not collapsed for the sake of the worst element") {
+  HexComplex c = sphere_mesh(10, 5);
+  smooth(c, SphereProjector(5), sized(1), context);
+  double shortest = 1e9;
+  for (const auto& h : c.hexes)
+    for (const auto& e : kHexEdges) shortest = std::min(shortest, (c.points[h[e[0]]] - c.points[h[e[1]]]).norm());
+  CHECK(shortest > 0.045);
 }
 
 TEST_CASE("one thread and two give the same bits") {
