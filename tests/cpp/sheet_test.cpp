@@ -189,6 +189,30 @@ TEST_CASE("at most so many sheets; a refused sheet leaves the complex alone; the
   CHECK(part.complex.hexes == before);
 }
 
+TEST_CASE("a sheet that leaves along a CAD edge and turns off it within one quad is refused") {
+  auto part = pocket_part(3);
+  const HexTopology t = make_topology(part.complex);
+  // Everything shrinks but one hexahedron: the middle one of three at an edge of the floor's rim.
+  ShrinkSet set;
+  set.inside.assign(part.complex.hexes.size(), 1);
+  set.covered.assign(part.shape.chart_count(), 0);
+  for (const auto& e : t.edges) {
+    const int f = part.complex.quad_face[e.quads[0]], g = part.complex.quad_face[e.quads[1]];
+    if (e.count != 3 || std::min(f, g) != 7 || std::max(f, g) != 8) continue;
+    if (part.complex.shape_place[e.nodes[0]].dim == 0 || part.complex.shape_place[e.nodes[1]].dim == 0) continue;
+    for (int i = 0; i < e.count; ++i) {
+      const int h = t.edge_hexes[e.first + i];
+      if (h != t.hex_of_quad(e.quads[0]) && h != t.hex_of_quad(e.quads[1])) set.inside[h] = 0;
+    }
+    break;
+  }
+  const auto before = part.complex.hexes;
+  const std::string refusal = insert_layer(part.complex, t, part.shape, part.geometry(), set, {});
+  CAPTURE(refusal);
+  CHECK(refusal.find("one quad") != std::string::npos);
+  CHECK(part.complex.hexes == before);
+}
+
 TEST_CASE("a judge takes sheets back") {
   auto part = flange_part();
   const auto before = part.complex.hexes;
