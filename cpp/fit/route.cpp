@@ -11,7 +11,7 @@ namespace hexfeature {
 
 namespace {
 
-constexpr double kReach = 1.7;                               ///< lattice units that an end may move
+constexpr double kReach = 3.0;                               ///< lattice units that an end may move
 constexpr double kSharpRms = 1.3, kSmoothRms = 0.8;          ///< root mean square distance of a path that is too dear
 constexpr double kSharpLargest = 2.2, kSmoothLargest = 1.3;  ///< largest distance of a path that is too dear
 /// A path may only turn where the curve turns at least so much within an element: the corner that the turn puts there opens to 180
