@@ -173,3 +173,22 @@ class TestAddon(unittest.TestCase):
         self.assertEqual(metadata.Name, "HexFeatureWB")
         self.assertTrue(os.path.isfile(os.path.join(root, metadata.Icon)))
         self.assertIn("workbench", metadata.Content)
+
+
+class TestAnyDirection(unittest.TestCase):
+    def test_a_turned_part_meshes_as_well(self):
+        from HexFeatureWB import core
+
+        turn = FreeCAD.Placement(FreeCAD.Vector(7, -3, 11), FreeCAD.Rotation(17, 31, 8))
+        for name in ("bracket", "connecting_rod", "shaft", "plate_with_holes"):
+            make, size = make_parts.PARTS[name]
+            shape = make().Solids[0]
+            turned = shape.copy()
+            turned.Placement = turn.multiply(turned.Placement)
+            straight, tilted = (
+                core.load().mesh_brep(s.exportBrepToString(), {"size": size}).report() for s in (shape, turned)
+            )
+            self.assertEqual(tilted["faithfulness"]["sharp_edges_not_followed"], [], name)
+            self.assertEqual(tilted["faithfulness"]["faces_without_quads"], [], name)
+            self.assertAlmostEqual(tilted["quality"]["hexes"], straight["quality"]["hexes"], delta=0.1 * straight["quality"]["hexes"])
+            self.assertGreater(tilted["quality"]["min_scaled_jacobian"], straight["quality"]["min_scaled_jacobian"] - 0.05, name)
