@@ -45,7 +45,8 @@ LabelResult label_regions(const SurfaceMesh& mesh, const Geometry& geometry, con
   SearchOptions search_options;
   search_options.size = options.size;
   search_options.max_expansions = options.max_expansions;
-  search_options.max_work = 1.5e7 * options.time_limit;
+  search_options.max_work = options.max_work;
+  search_options.fold_tolerance = options.fold_tolerance;
   LabelSearch search(tree, search_options, fill_sites, context);
   const SearchResult found = search.run();
 

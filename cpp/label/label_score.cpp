@@ -164,7 +164,7 @@ LabelScorer::Backward LabelScorer::backward(const MacroGraph& graph, int a) cons
 double LabelScorer::backward_defect(const MacroGraph& graph, int a) const {
   if (checker.axis[a] < 0 || charts.arcs[a].start < 0) return 0;
   const double overall = -checker.sign[a] * charts.arcs[a].displacement[checker.axis[a]] / size_ - kBackward;
-  const double excess = std::max(overall, backward(graph, a).length / size_ - kFolded);
+  const double excess = std::max(overall, backward(graph, a).length / size_ - fold_tolerance_);
   return excess > 0 ? 0.3 * std::min(1.0, 0.25 + excess) : 0;
 }
 

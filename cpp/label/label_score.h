@@ -19,7 +19,9 @@ struct LabelScore {
 /// that are kept. Linear in the number of macro edges: about 10 microseconds per 100 of them.
 class LabelScorer {
  public:
-  explicit LabelScorer(double size) : size_(size) {}
+  LabelScorer(double size, double fold_tolerance) : size_(size), fold_tolerance_(fold_tolerance) {}
+
+  double fold_tolerance() const { return fold_tolerance_; }
 
   LabelScore score(const MacroGraph& graph, const std::vector<Label>& labels);
 
@@ -42,14 +44,14 @@ class LabelScorer {
 
   /// Length that an arc may run backwards along its axis without blame, in h: from end to end, and anywhere on its way (where a
   /// wiggle below the lattice's spacing does no harm: small islands may join their surroundings).
-  static constexpr double kBackward = 0.25, kFolded = 0.75;
+  static constexpr double kBackward = 0.25;
 
  private:
   void build_charts(const MacroGraph& graph, const std::vector<Label>& labels);
 
   double backward_defect(const MacroGraph& graph, int arc) const;
 
-  double size_;
+  double size_, fold_tolerance_;
   std::vector<int> parent_, node_corner_, dart_arc_, position_, seen_, arc_darts_, arc_darts_first_, corner_node_;
   std::vector<signed char> border_;
 };

@@ -47,7 +47,7 @@ std::uint64_t hash_of(const LabelState& s) {
 }  // namespace
 
 LabelSearch::LabelSearch(CutTree& tree, const SearchOptions& options, FillSites fill, Context& context)
-    : tree_(tree), options_(options), fill_(std::move(fill)), context_(context), scorer_(options.size) {}
+    : tree_(tree), options_(options), fill_(std::move(fill)), context_(context), scorer_(options.size, options.fold_tolerance) {}
 
 /// Score a state; false when it was seen before.
 bool LabelSearch::evaluate(LabelState& state) {
@@ -346,7 +346,7 @@ std::vector<SiteCut> LabelSearch::cuts_at_turns(const LabelState& state, const i
   std::vector<SiteCut> cuts;
   for (int a = 0; a < scorer_.charts.arc_count(); ++a) {
     const auto back = scorer_.backward(graph, a);
-    if (back.length <= LabelScorer::kFolded * h) continue;
+    if (back.length <= scorer_.fold_tolerance() * h) continue;
     for (int s : scorer_.sites_beside(graph, a)) {
       if (std::find(first, last, s) == last) continue;
       const int axis = scorer_.checker.axis[a];

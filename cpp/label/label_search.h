@@ -30,6 +30,7 @@ struct SearchOptions {
   double size = 1;             ///< element size h
   int max_expansions = 4000;   ///< bound on expansions
   double max_work = 6e7;       ///< bound on counted work: macro edges looked at (about 10 million a second)
+  double fold_tolerance = 0.75;  ///< LabelOptions::fold_tolerance
   double good_defects = 0.05;  ///< a filled state with fewer soft defects ends the search
 };
 

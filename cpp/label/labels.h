@@ -14,7 +14,8 @@ namespace hexfeature {
 
 struct LabelOptions {
   double size = 1;                ///< element size h
-  double time_limit = 4;          ///< seconds of search, checked by counted work where determinism needs it
+  double max_work = 6e7;          ///< bound on counted search work (about 1.5e7 a second); counted, so that results do not depend on time
+  double fold_tolerance = 0.75;   ///< length, in h, that a feature line may turn back along its axis without being repaired
   int max_expansions = 4000;      ///< bound on best-first expansions (deterministic stop)
   double beta = 0.5;              ///< paper's equation (1)
   int max_smoothing_rounds = 50;  ///< paper's step 3-7b, at most so often

@@ -26,11 +26,13 @@ QuantizeOptions quantize_options(const Options& options) {
   return quantize;
 }
 
-LabelResult label(const SurfaceMesh& surface, const Geometry& geometry, Run& run) {
+LabelResult label(const SurfaceMesh& surface, const Geometry& geometry, const LabelEffort& effort, Run& run) {
   LabelOptions options;
   options.size = run.options.size;
   options.beta = run.options.beta;
   options.max_smoothing_rounds = run.options.smoothing_rounds;
+  options.fold_tolerance = effort.fold_tolerance;
+  options.max_work = effort.max_work;
   AxisRayCache rays;  // the search tries many labels on few meshes
   const FillCheck fill = [&](const SurfaceMesh& mesh, const FeatureShape& shape) -> FillOutcome {
     const QuantizeOptions quantize = quantize_options(run.options);
@@ -139,12 +141,12 @@ HexComplex fit_and_smooth(const HexComplex& lattice, const SurfaceMesh& mesh, co
 
 }  // namespace
 
-HexComplex feature_line(const SurfaceMesh& surface, const Geometry& geometry, int solid, Run& run) {
+HexComplex feature_line(const SurfaceMesh& surface, const Geometry& geometry, int solid, const LabelEffort& effort, Run& run) {
   Result& result = run.result;
   result.sheets = {};
 
   run.begin("labels");
-  result.labels = label(surface, geometry, run);
+  result.labels = label(surface, geometry, effort, run);
   run.complete();
   require_valid(result.labels);
   const SurfaceMesh& mesh = result.labels.surface.mesh;

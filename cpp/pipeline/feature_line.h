@@ -7,9 +7,15 @@
 
 namespace hexfeature {
 
+/// How the labeller is asked to work: see LabelOptions.
+struct LabelEffort {
+  double fold_tolerance = LabelOptions{}.fold_tolerance;
+  double max_work = LabelOptions{}.max_work;
+};
+
 /// The feature-line method on one solid's surface mesh, in the working frame (design, section 3; the paper's steps 3-2 to 3-7
 /// and 1-1 to 1-3): labels, feature shape, polycube, lattice, boundary fitting, O-grid sheets, smoothing. Returns a certified
 /// complex. Throws MeshingError(NoMesh) naming the step that could not go on, Stopped at Options::stop_after.
-HexComplex feature_line(const SurfaceMesh& surface, const Geometry& geometry, int solid, Run& run);
+HexComplex feature_line(const SurfaceMesh& surface, const Geometry& geometry, int solid, const LabelEffort& effort, Run& run);
 
 }  // namespace hexfeature

@@ -5,17 +5,14 @@
 #include <cmath>
 #include <sstream>
 
-#include "pipeline/feature_line.h"
+#include "pipeline/faithfulness.h"
 #include "pipeline/part.h"
 #include "pipeline/run.h"
+#include "pipeline/solid.h"
 #include "quadratic/quadratic.h"
 
 namespace hexfeature {
 namespace {
-
-double seconds_since(Context::Clock::time_point start) {
-  return std::chrono::duration<double>(Context::Clock::now() - start).count();
-}
 
 /// The element size of a user who gave none: about 3000 elements. Refuses sizes that cannot make a mesh.
 double choose_size(const Options& options, const Part& part) {
@@ -54,60 +51,6 @@ void append(HexComplex& all, const HexComplex& one) {
   all.feature_edge_cad.insert(all.feature_edge_cad.end(), one.feature_edge_cad.begin(), one.feature_edge_cad.end());
 }
 
-/// Mesh one solid: every method and frame in order until one gives a certified mesh. Returns it in world coordinates.
-HexComplex mesh_solid(Part& part, int solid, const std::vector<Mat3>& frames, Run& run) {
-  Result& result = run.result;
-  for (int frame = 0; frame < static_cast<int>(frames.size()); ++frame) {
-    Attempt attempt;
-    attempt.method = "feature-line";
-    attempt.solid = solid;
-    attempt.frame = frame;
-    const auto start = Context::Clock::now();
-    try {
-      part.place(frames[frame]);
-      result.rotation = frames[frame];
-      result.centre = part.centre();
-      run.begin("surface");
-      result.surface = part.surface(run.options.size, run.context);
-      if (part.solid_count() > 1) result.surface = surface_of_solid(result.surface, part.geometry(), solid);
-      run.complete();
-      HexComplex complex = feature_line(result.surface, part.geometry(), solid, run);
-      for (Vec3& p : complex.points) p = part.to_world(p);
-      attempt.seconds = seconds_since(start);
-      result.attempts.push_back(attempt);
-      result.method = attempt.method;
-      return complex;
-    } catch (const MeshingError& error) {
-      if (error.kind != Failure::NoMesh) throw;
-      attempt.step = error.step;
-      attempt.reason = error.reason;
-      attempt.hint = error.hint;
-      attempt.cad_faces = error.cad_faces;
-      attempt.seconds = seconds_since(start);
-      run.context.log("feature-line, frame " + std::to_string(frame + 1) + " gave up in step " + error.step + ": " + error.reason);
-      result.attempts.push_back(attempt);
-    }
-  }
-  const Attempt& first = *std::find_if(result.attempts.begin(), result.attempts.end(), [&](const Attempt& a) { return a.solid == solid; });
-  throw MeshingError(Failure::NoMesh, first.step, first.reason, first.hint, first.cad_faces);
-}
-
-/// Sharp CAD edges whose chain of mesh edges is missing or has gaps.
-std::vector<int> sharp_edges_not_followed(const HexComplex& mesh, const Geometry& geometry) {
-  std::vector<double> covered(geometry.edges->size(), 0);
-  for (std::size_t i = 0; i < mesh.feature_edges.size(); ++i) {
-    const auto& e = mesh.feature_edges[i];
-    covered[mesh.feature_edge_cad[i] - 1] += (mesh.points[e[1]] - mesh.points[e[0]]).norm();
-  }
-  std::vector<int> missing;
-  for (int id = 1; id <= static_cast<int>(covered.size()); ++id) {
-    const CadEdge& edge = geometry.edge(id);
-    // Chords are shorter than the curve: a full circle followed by four edges keeps 90% of its length.
-    if (edge.sharp && !edge.seam && !edge.degenerate && covered[id - 1] < 0.85 * edge.length) missing.push_back(id);
-  }
-  return missing;
-}
-
 /// The whole way from a part to its certified mesh.
 void mesh_part(Part& part, Run& run) {
   Result& result = run.result;
@@ -131,12 +74,9 @@ void mesh_part(Part& part, Run& run) {
   run.begin("quality");
   part.place_in_world();
   result.quality = measure_quality(result.mesh, *geometry.projector, run.context);
-  result.sharp_edges_not_followed = sharp_edges_not_followed(result.mesh, geometry);
-  std::vector<char> covered(geometry.faces->size() + 1, 0);
-  for (int f : result.mesh.quad_face)
-    if (f > 0) covered[f] = 1;
-  for (int f = 1; f <= result.cad_faces; ++f)
-    if (!covered[f]) result.faces_without_quads.push_back(f);
+  Faithfulness kept = measure_faithfulness(result.mesh, geometry, 0);
+  result.faces_without_quads = std::move(kept.faces_without_quads);
+  result.sharp_edges_not_followed = std::move(kept.sharp_edges_not_followed);
   if (run.options.order == 2) {
     run.begin("second order");
     QuadraticMesh quadratic = make_quadratic(result.mesh, *geometry.projector, run.context);

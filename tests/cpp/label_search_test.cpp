@@ -50,7 +50,7 @@ TEST_CASE("the macro graph scores labels as the surface itself would") {
     const Regions regions = regions_of(part);
     const Partition partition = make_partition(regions.mesh, regions.site);
     const MacroGraph graph = make_macro_graph(regions, partition, 1);
-    LabelScorer scorer(1);
+    LabelScorer scorer(1, 0.75);
     unsigned random = 7;
     for (int round = 0; round < 40; ++round) {
       std::vector<Label> labels(graph.site_count());
