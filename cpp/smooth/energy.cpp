@@ -49,6 +49,7 @@ struct Frame {
 };
 constexpr int kCorners = 8, kAllFrames = 32;
 constexpr double kMixedWeight = 1.0 / 3.0;
+constexpr double kSpanWeight = 6;
 
 /// The 8 corners, then the 24 mixed frames (see the header).
 struct FrameTable {
@@ -212,6 +213,52 @@ HexEnergy::Part HexEnergy::evaluate_group(int group, const double* x, const Ener
   return part;
 }
 
+void HexEnergy::set_spans(std::vector<Span> spans, const double* x) {
+  constexpr double kBarrier = 1.3;
+  spans_ = std::move(spans);
+  limit_.assign(spans_.size(), kBarrier);
+  admit(x);
+}
+
+void HexEnergy::admit(const double* x) {
+  for (std::size_t i = 0; i < spans_.size(); ++i) {
+    const Span& s = spans_[i];
+    const double length2 = (Eigen::Map<const Vec3>(x + 3 * s.b) - Eigen::Map<const Vec3>(x + 3 * s.a)).squaredNorm();
+    limit_[i] = std::max(limit_[i], 1.02 * length2 / (s.longest * s.longest));
+  }
+}
+
+double HexEnergy::add_spans(const double* x, bool barrier, double* gradient) const {
+  double energy = 0;
+  for (std::size_t i = 0; i < spans_.size(); ++i) {
+    const Span& s = spans_[i];
+    const Vec3 e = Eigen::Map<const Vec3>(x + 3 * s.b) - Eigen::Map<const Vec3>(x + 3 * s.a);
+    const double length2 = e.squaredNorm(), longest2 = s.longest * s.longest, shortest2 = s.shortest * s.shortest;
+    double slope = 0;  // of the energy by |e|^2
+    if (length2 > longest2) {
+      const double r = length2 / longest2, over = r - 1;
+      if (barrier) {
+        const double left = limit_[i] - r;
+        if (!(left > 0)) return std::numeric_limits<double>::infinity();
+        const double q = over / left;
+        energy += kSpanWeight * q * q;
+        slope = 2 * kSpanWeight * q * (limit_[i] - 1) / (left * left * longest2);
+      } else {
+        energy += kSpanWeight * over * over;
+        slope = 2 * kSpanWeight * over / longest2;
+      }
+    } else if (length2 < shortest2) {
+      const double square = std::max(length2, 1e-4 * shortest2), r = shortest2 / square;
+      energy += kSpanWeight * (r - 1) * (r - 1);
+      slope = length2 < square ? 0 : -2 * kSpanWeight * (r - 1) * r / square;
+    }
+    if (!gradient || slope == 0) continue;
+    Eigen::Map<Vec3>(gradient + 3 * s.b) += 2 * slope * e;
+    Eigen::Map<Vec3>(gradient + 3 * s.a) -= 2 * slope * e;
+  }
+  return energy;
+}
+
 EnergyValue HexEnergy::evaluate(const double* x, const EnergyTerms& terms, double* gradient) {
   const int groups = static_cast<int>(parts_.size());
   if (gradient) slots_.resize(static_cast<std::size_t>(24) * kLanes * groups);
@@ -240,6 +287,7 @@ EnergyValue HexEnergy::evaluate(const double* x, const EnergyTerms& terms, doubl
         gradient[3 * v] = gx, gradient[3 * v + 1] = gy, gradient[3 * v + 2] = gz;
       }
     });
+  value.energy += add_spans(x, terms.power > 0, gradient);
   return value;
 }
 

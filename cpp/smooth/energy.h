@@ -31,6 +31,15 @@ struct EnergyTerms {
   double shape_weight = 1;
 };
 
+/// A mesh edge that follows a CAD curve, and the lengths it should keep: beyond `longest` its chord would cut too much off the
+/// curve, below `shortest` its ends would run together. Only lengths outside the two cost anything:
+///   6 (|e|^2 / longest^2 - 1)^2   and   6 (shortest^2 / |e|^2 - 1)^2;
+/// in the worst-element energy the first is a barrier, 6 ((r - 1) / (r1 - r))^2 with r = |e|^2 / longest^2 and r1 where it is infinite.
+struct Span {
+  int a = 0, b = 0;  ///< points
+  double longest = 0, shortest = 0;
+};
+
 struct EnergyValue {
   double energy = 0;   ///< infinite when the energy is not defined there
   double min_det = 0;  ///< least d of all corners (and the thorough elements' other tetrahedra)
@@ -43,6 +52,11 @@ class HexEnergy {
   /// `target` is L, `shortest` is m, `least` is the least allowed edge of each hexahedron (lengths > 0).
   HexEnergy(const std::vector<std::array<int, 8>>& hexes, int points, const std::vector<double>& target,
             const std::vector<double>& shortest, const std::vector<double>& least, const std::vector<char>& thorough, Workers& workers);
+
+  /// The edges along CAD curves, with barriers that x is within.
+  void set_spans(std::vector<Span> spans, const double* x);
+  /// Widen the barriers so that x is within them.
+  void admit(const double* x);
 
   /// A lower bound of the energy: that of perfect elements.
   double floor(const EnergyTerms& terms) const;
@@ -61,6 +75,7 @@ class HexEnergy {
     double energy, min_det;
   };
   int frame_count(int group) const;
+  double add_spans(const double* x, bool barrier, double* gradient) const;
   template <bool kWorst>
   Part evaluate_group(int group, const double* x, const EnergyTerms& terms, double* slots) const;
 
@@ -74,6 +89,8 @@ class HexEnergy {
   std::vector<int> start_, incident_;  ///< per point: where its gradient parts are in slots_
   std::vector<double> slots_;          ///< per group: 8 nodes x 3 coordinates x 4 lanes
   std::vector<Part> parts_;            ///< per group
+  std::vector<Span> spans_;
+  std::vector<double> limit_;  ///< per span: r1
   Workers& workers_;
 };
 

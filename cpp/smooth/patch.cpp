@@ -82,6 +82,11 @@ Patch::Patch(const HexComplex& mesh, const std::vector<char>& free_points, Smoot
   }
   boundary = std::make_unique<Boundary>(place, free, setting.projector, setting.options.size, setting.workers, setting.context);
   energy = std::make_unique<HexEnergy>(hexes, static_cast<int>(nodes.size()), target, shortest, least, thorough, setting.workers);
+  std::vector<Span> spans;
+  for (const Span& s : setting.spans)
+    if (own[s.a] >= 0 && own[s.b] >= 0 && (free_points[s.a] || free_points[s.b]))
+      spans.push_back({own[s.a], own[s.b], s.longest, s.shortest});
+  energy->set_spans(std::move(spans), x.data());
 }
 
 void Patch::measure(const std::vector<double>& at, std::vector<double>& quality) const {

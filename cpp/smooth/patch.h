@@ -22,6 +22,7 @@ struct SmoothSetting {
   Context& context;
   Workers& workers;
   std::vector<double> target;  ///< target size of each element of the mesh
+  std::vector<Span> spans;     ///< the mesh's edges along CAD curves
 };
 
 /// How good a set of elements is.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "base/error.h"
 #include "mesh/hex_element.h"
@@ -41,6 +43,45 @@ std::vector<double> target_sizes(const HexComplex& mesh, double h) {
   return target;
 }
 
+/// The lengths that the mesh edges along CAD curves should keep. Without them points slide along a curve wherever an element
+/// gains a little, until neighbours stand 5 h or nothing apart: long chords then cut off the curve that the mesh follows. An edge
+/// may stretch until its sag (curvature |e|^2 / 8) is 0.18 h; a nearly straight one to twice the length that it came with.
+std::vector<Span> curve_spans(const HexComplex& mesh, const Projector& projector, double h) {
+  constexpr double kSag = 0.18, kStretch = 2, kLong = 1.6;
+  const std::size_t n = std::min(mesh.feature_edges.size(), mesh.feature_edge_cad.size());
+  // Curvature from the tangents at both ends; of neighbours along one CAD edge the greatest, since points slide from one to the next.
+  std::vector<double> curvature(n, 0.0), length(n, 0.0);
+  std::map<std::pair<int, int>, double> at_node;  // (CAD edge, point)
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto& e = mesh.feature_edges[i];
+    const int cad = mesh.feature_edge_cad[i];
+    length[i] = (mesh.points[e[1]] - mesh.points[e[0]]).norm();
+    Vec3 tangent[2];
+    for (int k = 0; k < 2; ++k) {
+      const CadPlace& place = mesh.place[e[k]];
+      tangent[k] =
+          projector.project_to_edge(cad, mesh.points[e[k]], place.dim == 1 && place.entity == cad ? &place.uv[0] : nullptr).tangent;
+    }
+    const double half_turn = 0.5 * std::acos(std::clamp(tangent[0].dot(tangent[1]), -1.0, 1.0));
+    if (length[i] > 1e-6 * h && std::isfinite(half_turn)) curvature[i] = 2 * std::sin(half_turn) / length[i];
+    for (int v : e) {
+      double& greatest = at_node[{cad, v}];
+      greatest = std::max(greatest, curvature[i]);
+    }
+  }
+  std::vector<Span> spans;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto& e = mesh.feature_edges[i];
+    const int cad = mesh.feature_edge_cad[i];
+    if (!(length[i] > 0)) continue;
+    const double bend = std::max(at_node[{cad, e[0]}], at_node[{cad, e[1]}]);
+    double longest = std::max(kStretch * length[i], kLong * h);
+    if (bend > 0) longest = std::min(longest, std::sqrt(8 * kSag * h / bend));
+    spans.push_back({e[0], e[1], std::max(longest, length[i]), 0.5 * std::min(length[i], h)});
+  }
+  return spans;
+}
+
 /// Boundary points exactly onto the CAD: where a projection is not its own foot to the last digits, a few times over.
 /// Returns the largest distance left.
 double settle(HexComplex& mesh, SmoothSetting& setting) {
@@ -63,7 +104,7 @@ SmoothReport smooth(HexComplex& mesh, const Projector& projector, const SmoothOp
   SmoothReport report;
   if (mesh.hexes.empty()) return report;
   Workers workers(options.threads);
-  SmoothSetting setting{projector, options, context, workers, target_sizes(mesh, options.size)};
+  SmoothSetting setting{projector, options, context, workers, target_sizes(mesh, options.size), curve_spans(mesh, projector, options.size)};
   std::vector<double> quality;
   measure(mesh, workers, quality);
   const Grade before = grade_of(quality);

@@ -37,6 +37,7 @@ double sweep(Patch& patch, const std::vector<int>& powers) {
   terms.shape_weight = 0.5;
   for (int power : powers) {
     terms.power = power;
+    patch.energy->admit(patch.x.data());
     if (!std::isfinite(patch.energy->evaluate(patch.x.data(), terms, gradient.data()).energy)) break;
     patch.boundary->hold_at_rims(gradient);
     PatchObjective objective(patch, terms, 0);

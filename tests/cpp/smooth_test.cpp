@@ -39,6 +39,36 @@ double volume_of(const HexComplex& c) {
   return v;
 }
 
+std::vector<double> x_of(const HexComplex& c) {
+  std::vector<double> x;
+  for (const Vec3& p : c.points) x.insert(x.end(), p.data(), p.data() + 3);
+  return x;
+}
+
+/// The mesh edges round a cylinder's two rims follow its CAD edges.
+void follow_rims(HexComplex& c) {
+  c.feature_edges.clear();
+  c.feature_edge_cad.clear();
+  for (const auto& q : c.quads)
+    for (int k = 0; k < 4; ++k) {
+      const int a = q[k], b = q[(k + 1) % 4];
+      if (a < b && c.place[a].dim == 1 && c.place[b].dim == 1 && c.place[a].entity == c.place[b].entity) {
+        c.feature_edges.push_back({a, b});
+        c.feature_edge_cad.push_back(c.place[a].entity);
+      }
+    }
+}
+
+/// Shortest and longest of them.
+std::array<double, 2> rim_lengths(const HexComplex& c) {
+  std::array<double, 2> r{1e9, 0};
+  for (const auto& e : c.feature_edges) {
+    const double length = (c.points[e[1]] - c.points[e[0]]).norm();
+    r = {std::min(r[0], length), std::max(r[1], length)};
+  }
+  return r;
+}
+
 bool same_bits(const HexComplex& a, const HexComplex& b) {
   return a.points.size() == b.points.size() && std::memcmp(a.points.data(), b.points.data(), a.points.size() * sizeof(Vec3)) == 0;
 }
@@ -57,6 +87,9 @@ TEST_CASE("the gradient is the energy's derivative") {
       const std::size_t n = shaken.hexes.size();
       HexEnergy energy(shaken.hexes, shaken.point_count(), std::vector<double>(n, 0.8), std::vector<double>(n, 0.9),
                        std::vector<double>(n, 1e-6), std::vector<char>(n, power == 1 || amount > 0.5), workers);
+      // One edge too long, one too short.
+      const std::array<int, 8>& hex = shaken.hexes[0];
+      energy.set_spans({{hex[0], hex[1], 0.7, 0.1}, {hex[1], hex[2], 9, 1.3}}, x_of(shaken).data());
       EnergyTerms terms;
       terms.power = power;
       terms.epsilon_squared = 0.01;
@@ -190,6 +223,25 @@ TEST_CASE("an inner edge is not collapsed for the sake of the worst element") {
   for (const auto& h : c.hexes)
     for (const auto& e : kHexEdges) shortest = std::min(shortest, (c.points[h[e[0]]] - c.points[h[e[1]]]).norm());
   CHECK(shortest > 0.045);
+}
+
+TEST_CASE("points along a followed curve keep apart, and no chord cuts off more than a fifth of an element") {
+  const double radius = 2, h = 1;
+  HexComplex c = lattice_cylinder(3, 4, radius, 4);
+  follow_rims(c);
+  REQUIRE(c.feature_edges.size() == 24);
+  HexComplex loose = c;
+  loose.feature_edges.clear();
+  loose.feature_edge_cad.clear();
+  smooth(loose, CylinderProjector(radius, 4), sized(h), context);
+  smooth(c, CylinderProjector(radius, 4), sized(h), context);
+  loose.feature_edges = c.feature_edges;
+  const auto before = rim_lengths(loose), after = rim_lengths(c);
+  MESSAGE("rim edges " << before[0] << " to " << before[1] << " without, " << after[0] << " to " << after[1] << " with their spans");
+  const double sag = radius - std::sqrt(radius * radius - 0.25 * after[1] * after[1]);
+  CHECK(sag < 0.22 * h);
+  CHECK(after[0] > 3 * before[0]);
+  CHECK(after[1] - after[0] <= before[1] - before[0] + 1e-9);
 }
 
 TEST_CASE("one thread and two give the same bits") {
