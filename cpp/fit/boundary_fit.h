@@ -44,6 +44,7 @@ struct BoundaryFit {
   void place_nodes();
   void assign_faces();
   void collect_feature_edges();
+  bool lies_on(int node, int edge) const;  ///< on the CAD edge or one of its ends
   /// A face narrower than an element may own no quad: those that cover most of it take its number, unless they lie along a sharp
   /// edge of their own face.
   void cover_narrow_faces();

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "fit/boundary_fit.h"
 #include "fit/untangle2d.h"
@@ -61,6 +62,13 @@ void BoundaryFit::place_nodes() {
   }
 }
 
+bool BoundaryFit::lies_on(int node, int edge) const {
+  const CadPlace& p = complex.place[node];
+  if (p.dim == 1) return p.entity == edge;
+  const auto& ends = geometry.edge(edge).vertices;
+  return p.dim == 0 && (p.entity == ends[0] || p.entity == ends[1]);
+}
+
 void BoundaryFit::assign_faces() {
   complex.quad_face.assign(complex.quads.size(), 0);
   for (const Region& region : regions) {
@@ -86,6 +94,22 @@ void BoundaryFit::assign_faces() {
       complex.quad_face[q] = face;
     }
   }
+  // A quad with a side on a sharp CAD edge lies on the face that the edge has on that side, wherever its other nodes ended up:
+  // beside a tangent edge that no mesh edge follows they may well be on the next face. Where two sides disagree, the above stands.
+  std::vector<int> beside(complex.quads.size(), 0);
+  for (const Chain& chain : chains)
+    for (int i = 0; i < chain.intervals(); ++i) {
+      const int h = chain.halfedges[chain.segment_at(0.5 * (chain.node_s[i] + chain.node_s[i + 1]))];
+      const int e = followed_edge(mesh, geometry, h), a = chain.nodes[i], b = chain.nodes[i + 1];
+      if (e <= 0 || !geometry.edge(e).sharp || !lies_on(a, e) || !lies_on(b, e)) continue;
+      for (const auto& [g, t] : {std::make_pair(net.find(a, b), h / 3), std::make_pair(net.find(b, a), mesh.opposite[h] / 3)}) {
+        if (g < 0) continue;
+        int& face = beside[g / 4];
+        face = face == 0 || face == mesh.triangle_face[t] ? mesh.triangle_face[t] : -1;
+      }
+    }
+  for (std::size_t q = 0; q < beside.size(); ++q)
+    if (beside[q] > 0) complex.quad_face[q] = beside[q];
 }
 
 void BoundaryFit::cover_narrow_faces() {
@@ -137,12 +161,6 @@ void BoundaryFit::cover_narrow_faces() {
 }
 
 void BoundaryFit::collect_feature_edges() {
-  const auto lies_on = [&](int node, int edge) {
-    const CadPlace& p = complex.place[node];
-    if (p.dim == 1) return p.entity == edge;
-    const auto& ends = geometry.edge(edge).vertices;
-    return p.dim == 0 && (p.entity == ends[0] || p.entity == ends[1]);
-  };
   std::vector<std::array<int, 3>> found;
   for (const Chain& chain : chains)
     for (int i = 0; i < chain.intervals(); ++i) {

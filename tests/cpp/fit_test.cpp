@@ -157,3 +157,33 @@ TEST_CASE("a closed CAD edge inside a chart gets a loop of mesh edges") {
   }
   CHECK(loop >= 8);
 }
+
+TEST_CASE("quads beside a sharp edge lie on that edge's face, also next to a tangent edge that no mesh edge follows") {
+  VoxelPart part;
+  // A strip of the top narrower than an element: the nodes next to its sharp edge come to lie on the other face.
+  make_part(part, box({0, 0, 0}, {6, 6, 2}), 4, 1, straight, [](Label l, const Vec3& c) { return l + (l == 4 && c.x() < 0.75 ? 10 : 0); });
+  HexComplex mesh = part.lattice;
+  FitOptions options;
+  options.size = 1;
+  options.smooth_edges = false;
+  Context context;
+  fit_boundary(mesh, part.surface.mesh, part.shape, part.geometry(), options, context);
+  REQUIRE(!mesh.feature_edges.empty());
+  int checked = 0;
+  for (std::size_t q = 0; q < mesh.quads.size(); ++q) {
+    int sides = 0;
+    std::array<int, 2> faces{0, 0};
+    for (int k = 0; k < 4; ++k) {
+      std::array<int, 2> e{mesh.quads[q][k], mesh.quads[q][(k + 1) % 4]};
+      std::sort(e.begin(), e.end());
+      const auto at = std::lower_bound(mesh.feature_edges.begin(), mesh.feature_edges.end(), e);
+      if (at == mesh.feature_edges.end() || *at != e) continue;
+      ++sides;
+      faces = part.edges[mesh.feature_edge_cad[at - mesh.feature_edges.begin()] - 1].faces;
+    }
+    if (sides != 1) continue;  // a corner of a chart may have sides on two faces
+    ++checked;
+    CHECK((mesh.quad_face[q] == faces[0] || mesh.quad_face[q] == faces[1]));
+  }
+  CHECK(checked > 20);
+}
