@@ -148,6 +148,7 @@ HexComplex feature_line(const SurfaceMesh& surface, const Geometry& geometry, in
   run.begin("labels");
   result.labels = label(surface, geometry, effort, run);
   run.complete();
+  run.reached("shape");
   require_valid(result.labels);
   const SurfaceMesh& mesh = result.labels.surface.mesh;
   const FeatureShape& shape = result.labels.shape;
@@ -158,6 +159,7 @@ HexComplex feature_line(const SurfaceMesh& surface, const Geometry& geometry, in
   if (!lattice.report.ok)
     throw MeshingError(Failure::NoMesh, "lattice", lattice.report.reason, "try a smaller element size",
                        cad_faces_of(shape, lattice.report.charts));
+  run.reached("polycube");
   result.mesh = lattice.complex;
   std::fill(lattice.complex.hex_solid.begin(), lattice.complex.hex_solid.end(), solid);
   run.complete();

@@ -14,7 +14,11 @@ void Run::begin(const std::string& step) {
 
 void Run::complete() {
   context.progress(step_, 1);
-  if (options.stop_after == step_) throw Stopped{step_};
+  reached(step_);
+}
+
+void Run::reached(const std::string& name) {
+  if (options.stop_after == name) throw Stopped{name};
 }
 
 void Run::finish() {

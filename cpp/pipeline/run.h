@@ -25,6 +25,8 @@ class Run {
   void begin(const std::string& step);
   /// The current step is complete: stop here when the options say so.
   void complete();
+  /// A result that the current step yields on its way is there: stop here when the options ask for it.
+  void reached(const std::string& name);
   /// Close the books.
   void finish();
 

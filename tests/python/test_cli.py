@@ -159,11 +159,12 @@ def test_interrupt(parts, tmp_path):
 
 @pytest.mark.parametrize("stage, array", [
     ("surface", "cad_face"), ("labels", "label"), ("shape", "arc_axis"), ("polycube", "arc_sign"), ("lattice", "chart"),
-    ("fit", "cad_face"), ("smooth", "block")])
+    ("fit", "cad_face"), ("sheets", "block"), ("smooth", "block")])
 def test_stop_after_leaves_a_coloured_picture(parts, tmp_path, stage, array):
     reader_module = pytest.importorskip("vtkmodules.vtkIOLegacy")
     done = run("mesh", parts / "plate.step", "-o", tmp_path / "s.vtk", "--size", 5, "--stop-after", stage)
     assert done.returncode == 0, done.stderr
+    assert f"stopped after step {stage}" in done.stderr
     reader = reader_module.vtkUnstructuredGridReader()
     reader.SetFileName(str(tmp_path / "s.vtk"))
     reader.ReadAllFieldsOn()
