@@ -2,7 +2,7 @@
 """Mesh every solid of many files without a window; go on after a failure.
 
     hexfeature-batch FILE... --out DIR [--size H] [--order 2] [--OPTION VALUE ...]
-    freecadcmd run_batch.py           with the arguments as JSON in HEXFEATURE_BATCH_ARGUMENTS
+    freecadcmd scripts/run_batch.py   with the arguments as JSON in HEXFEATURE_BATCH_ARGUMENTS
 
 Each solid leaves DIR/FILE[-OBJECT][-SolidN].FCStd (part, mesh, groups), .unv (the mesh) and .json (the report); the run leaves
 DIR/summary.csv and prints the same table. Exit code: 0 all meshed, 4 some not, 3 none could be read or meshed, 2 usage.
@@ -84,7 +84,7 @@ def run(files, out, options):
             if not solids:
                 raise ValueError("there is no solid in it")
         except Exception as error:  # whatever FreeCAD's readers raise, the batch goes on
-            rows.append(_row(path, "", "unreadable", why=str(error)))
+            rows.append(_row(path, "", "unreadable", why=_reason(error)))
             continue
         for name, shape in solids:
             start = time.time()
@@ -98,13 +98,19 @@ def run(files, out, options):
             except MeshingError as error:
                 rows.append(_row(path, name, "failed", seconds=round(time.time() - start, 2), why="%s: %s" % (error.step, error.reason)))
             except Exception as error:  # one part must not end the batch
-                rows.append(_row(path, name, "failed", seconds=round(time.time() - start, 2), why=str(error)))
+                rows.append(_row(path, name, "failed", seconds=round(time.time() - start, 2), why=_reason(error)))
     with open(os.path.join(out, "summary.csv"), "w", newline="") as f:
         table = csv.DictWriter(f, COLUMNS)
         table.writeheader()
         table.writerows(rows)
     meshed = sum(row["result"] == "meshed" for row in rows)
     return rows, 0 if meshed == len(rows) else 4 if meshed else 3
+
+
+def _reason(error):
+    """What an exception says; FreeCAD's own carry a dict."""
+    told = error.args[0] if error.args else ""
+    return str(told.get("sErrMsg", told) if isinstance(told, dict) else error)
 
 
 def _row(file, solid, result, method="", hexes="", min_sj="", mean_sj="", seconds="", why=""):
@@ -127,6 +133,7 @@ def main(arguments=None):
     values = vars(parser.parse_args(arguments))
     files, out = values.pop("files"), values.pop("out")
     rows, code = run(files, out, {key: value for key, value in values.items() if value is not None})
+    print()  # FreeCAD leaves its progress without an end of line
     widths = {c: max(len(c), *(len(str(r[c])) for r in rows)) for c in COLUMNS}
     for row in [dict(zip(COLUMNS, COLUMNS)), *rows]:
         print("  ".join(str(row[c]).ljust(widths[c]) for c in COLUMNS).rstrip())
