@@ -6,7 +6,7 @@ FREECAD := QT_QPA_PLATFORM=offscreen PYTHONPATH=/usr/lib/freecad-python3/lib:/us
 
 cpp_files = $(shell git ls-files 'cpp/*.cpp' 'cpp/*.h' 'tests/cpp/*.cpp' 'tests/cpp/*.h')
 
-.PHONY: help deps build demo bench test test-cpp test-freecad test-python lint tidy format wheel clean
+.PHONY: help deps build demo gallery bench test test-cpp test-freecad test-python lint tidy format wheel clean
 .NOTPARALLEL:
 
 help:  ## this list
@@ -34,6 +34,9 @@ test-freecad: build
 
 test-python: build
 	$(PYTEST) tests/python
+
+gallery: build  ## the documentation's pictures and docs/gallery.md
+	PYTHONPATH=python xvfb-run -a $(PYTHON) docs/make_pictures.py
 
 bench: build  ## time and quality of the whole command on the project's own parts
 	$(PYTHON) benchmarks/own_parts.py out/parts

@@ -7,6 +7,7 @@ Needs VTK (python3-vtk9) and an X display (xvfb-run makes one). ARRAY is a cell 
 scaled_jacobian (the default for meshes with hexahedra), which is computed here.
 """
 import argparse
+import colorsys
 
 import numpy as np
 import vtk
@@ -14,6 +15,10 @@ from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 #: a corner and its three neighbours
 CORNERS = np.array([[0, 1, 3, 4], [1, 2, 0, 5], [2, 3, 1, 6], [3, 0, 2, 7], [4, 7, 5, 0], [5, 4, 6, 1], [6, 5, 7, 2], [7, 6, 4, 3]])
+#: from the part to the eye
+VIEW = (1.0, -1.6, 1.0)
+#: what lies on this side of the middle is taken away to look inside
+CUT = (0.0, -1.0, 0.0)
 #: +X -X +Y -Y +Z -Z
 LABEL_COLOURS = [(0.86, 0.24, 0.2), (0.95, 0.65, 0.6), (0.2, 0.62, 0.27), (0.65, 0.86, 0.62), (0.2, 0.4, 0.8), (0.62, 0.75, 0.95)]
 
@@ -63,12 +68,14 @@ def keep_cells(grid, cells):
 
 
 def colours_for(name, low, high):
+    """Lookup table for an array of that name with values in [low, high]."""
     table = vtk.vtkLookupTable()
-    if name == "label":
-        table.SetNumberOfTableValues(6)
-        for k, rgb in enumerate(LABEL_COLOURS):
+    if name in ("label", "arc_axis"):
+        colours = LABEL_COLOURS if name == "label" else LABEL_COLOURS[::2]
+        table.SetNumberOfTableValues(len(colours))
+        for k, rgb in enumerate(colours):
             table.SetTableValue(k, *rgb, 1)
-        table.SetTableRange(-0.5, 5.5)
+        table.SetTableRange(-0.5, len(colours) - 0.5)
     elif name == "scaled_jacobian":
         table.SetHueRange(0.0, 0.62)
         table.SetTableRange(0, 1)
@@ -76,73 +83,81 @@ def colours_for(name, low, high):
         count = int(high) + 1
         table.SetNumberOfTableValues(max(count, 1))
         for k in range(count):
-            rgb = vtk.vtkMath.HSVToRGB((0.13 + 0.618034 * k) % 1, 0.35 + 0.25 * (k % 3) / 2, 0.95)
+            rgb = colorsys.hsv_to_rgb((0.13 + 0.618034 * k) % 1, 0.35 + 0.25 * (k % 3) / 2, 0.95)
             table.SetTableValue(k, *rgb, 1)
         table.SetTableRange(-0.5, count - 0.5)
     table.Build()
     return table
 
 
-def draw(path, picture, colour=None, cut=False, view=(1.0, -1.6, 1.0), worst=0, size=(1000, 800), edges=True):
-    """Render one file; see the module's text."""
-    grid = read(path)
-    quality = add_quality(grid)
-    colour = colour or ("scaled_jacobian" if len(quality) else "cad_face")
-    types = vtk_to_numpy(grid.GetCellTypesArray())
-    volume = np.isin(types, (12, 25, 29))
-    shown = np.flatnonzero(volume) if volume.any() else np.arange(len(types))
-    if worst:
-        values = vtk_to_numpy(grid.GetCellData().GetArray("scaled_jacobian"))
-        outline = keep_cells(grid, shown)
-        shown = shown[np.argsort(values[shown])[:worst]]
-    elif colour != "scaled_jacobian" and volume.any() and not cut:
-        shown = np.flatnonzero(~volume)
-    part = keep_cells(grid, shown)
-    if cut:
-        centres = vtk.vtkCellCenters()
-        centres.SetInputData(part)
-        centres.Update()
-        xyz = vtk_to_numpy(centres.GetOutput().GetPoints().GetData())
-        middle = 0.5 * (xyz.min(0) + xyz.max(0))
-        normal = np.array(view) * (1, 1, 0.35)
-        part = keep_cells(part, np.flatnonzero((xyz - middle) @ normal <= 1e-9 * np.ptp(xyz)))
-    surface = vtk.vtkDataSetSurfaceFilter()
-    surface.SetInputData(part)
-    surface.Update()
-    surface = surface.GetOutput()
-    surface.GetCellData().SetActiveScalars(colour)
-    low, high = surface.GetCellData().GetArray(colour).GetRange()
+def actor_of(data, colour=None, edges=True, rgb=(0.8, 0.8, 0.82), opacity=1.0):
+    """An actor of poly data: coloured by the cell array `colour` (three components: red, green, blue), else all in `rgb`."""
     mapper = vtk.vtkPolyDataMapper()
-    mapper.SetInputData(surface)
-    mapper.SetScalarModeToUseCellData()
-    mapper.SetLookupTable(colours_for(colour, low, high))
-    mapper.UseLookupTableScalarRangeOn()
+    mapper.SetInputData(data)
+    if colour:
+        data.GetCellData().SetActiveScalars(colour)
+        mapper.SetScalarModeToUseCellData()
+        array = data.GetCellData().GetArray(colour)
+        if array.GetNumberOfComponents() == 3:
+            mapper.SetColorModeToDirectScalars()
+        else:
+            mapper.SetLookupTable(colours_for(colour, *array.GetRange()))
+            mapper.UseLookupTableScalarRangeOn()
+    else:
+        mapper.ScalarVisibilityOff()
     actor = vtk.vtkActor()
     actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(*rgb)
+    actor.GetProperty().SetOpacity(opacity)
+    actor.GetProperty().SetAmbient(0.25)
     if edges:
         actor.GetProperty().EdgeVisibilityOn()
         actor.GetProperty().SetEdgeColor(0.12, 0.12, 0.15)
-    actor.GetProperty().SetAmbient(0.25)
+    return actor
+
+
+def surface_of(grid):
+    """The outside of a grid as poly data, cell arrays kept."""
+    surface = vtk.vtkDataSetSurfaceFilter()
+    surface.SetInputData(grid)
+    surface.Update()
+    return surface.GetOutput()
+
+
+def cut_open(grid, normal):
+    """The cells of a grid that lie behind the plane through its middle with this normal."""
+    centres = vtk.vtkCellCenters()
+    centres.SetInputData(grid)
+    centres.Update()
+    xyz = vtk_to_numpy(centres.GetOutput().GetPoints().GetData())
+    middle = 0.5 * (xyz.min(0) + xyz.max(0))
+    return keep_cells(grid, np.flatnonzero((xyz - middle) @ np.array(normal) <= 1e-9 * np.ptp(xyz)))
+
+
+def frame(camera, actors, view, aspect):
+    """Look along `view` with all actors just in the picture."""
+    back = np.array(view) / np.linalg.norm(view)
+    right = np.cross((0, 0, 1), back) if abs(back[2]) < 0.999 else np.array([1.0, 0, 0])
+    right /= np.linalg.norm(right)
+    axes = np.array([right, np.cross(back, right), back])
+    points = np.vstack([vtk_to_numpy(a.GetMapper().GetInput().GetPoints().GetData()) for a in actors]) @ axes.T
+    low, high = points.min(0), points.max(0)
+    middle = 0.5 * (low + high) @ axes
+    camera.ParallelProjectionOn()
+    camera.SetFocalPoint(*middle)
+    camera.SetPosition(*(middle + np.linalg.norm(high - low) * back))
+    camera.SetViewUp(*axes[1])
+    camera.SetParallelScale(0.52 * max(high[1] - low[1], (high[0] - low[0]) / aspect))
+
+
+def save(actors, picture, view=VIEW, size=(1000, 800), colours=0):
+    """Render actors to a PNG; with `colours` > 0 its colours are reduced to so many (python3-pil), which makes it small."""
     renderer = vtk.vtkRenderer()
     renderer.SetBackground(1, 1, 1)
-    renderer.AddActor(actor)
-    if worst:
-        ghost_surface = vtk.vtkDataSetSurfaceFilter()
-        ghost_surface.SetInputData(outline)
-        ghost = vtk.vtkActor()
-        ghost_mapper = vtk.vtkPolyDataMapper()
-        ghost_mapper.SetInputConnection(ghost_surface.GetOutputPort())
-        ghost_mapper.ScalarVisibilityOff()
-        ghost.SetMapper(ghost_mapper)
-        ghost.GetProperty().SetOpacity(0.15)
-        renderer.AddActor(ghost)
-    camera = renderer.GetActiveCamera()
-    camera.SetFocalPoint(0, 0, 0)
-    camera.SetPosition(*view)
-    camera.SetViewUp(0, 0, 1)
-    camera.ParallelProjectionOn()
-    renderer.ResetCamera()
-    camera.Zoom(1.25)
+    for actor in actors:
+        renderer.AddActor(actor)
+    frame(renderer.GetActiveCamera(), actors, view, size[0] / size[1])
+    renderer.ResetCameraClippingRange()
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(4)
@@ -152,9 +167,37 @@ def draw(path, picture, colour=None, cut=False, view=(1.0, -1.6, 1.0), worst=0, 
     image = vtk.vtkWindowToImageFilter()
     image.SetInput(window)
     writer = vtk.vtkPNGWriter()
-    writer.SetFileName(picture)
+    writer.SetFileName(str(picture))
     writer.SetInputConnection(image.GetOutputPort())
     writer.Write()
+    if colours:
+        from PIL import Image
+
+        with Image.open(picture) as drawn:
+            small = drawn.convert("RGB").quantize(colours)
+        small.save(picture, optimize=True)
+
+
+def draw(path, picture, colour=None, cut=False, view=VIEW, worst=0, size=(1000, 800), edges=True, colours=0):
+    """Render one file; see the module's text."""
+    grid = read(str(path))
+    quality = add_quality(grid)
+    colour = colour or ("scaled_jacobian" if len(quality) else "cad_face")
+    types = vtk_to_numpy(grid.GetCellTypesArray())
+    volume = np.isin(types, (12, 25, 29))
+    shown = np.flatnonzero(volume) if volume.any() else np.arange(len(types))
+    actors = []
+    if worst:
+        values = vtk_to_numpy(grid.GetCellData().GetArray("scaled_jacobian"))
+        actors.append(actor_of(surface_of(keep_cells(grid, shown)), edges=False, rgb=(1, 1, 1), opacity=0.15))
+        shown = shown[np.argsort(values[shown])[:worst]]
+    elif colour not in ("scaled_jacobian", "block") and volume.any() and not cut:
+        shown = np.flatnonzero(~volume)
+    part = keep_cells(grid, shown)
+    if cut:
+        part = cut_open(part, CUT)
+    actors.append(actor_of(surface_of(part), colour, edges))
+    save(actors, picture, view, size, colours)
 
 
 def main():
@@ -162,8 +205,8 @@ def main():
     parser.add_argument("mesh")
     parser.add_argument("picture")
     parser.add_argument("--colour")
-    parser.add_argument("--cut", action="store_true", help="cut open")
-    parser.add_argument("--view", default="1,-1.6,1", help="direction from the part to the eye")
+    parser.add_argument("--cut", action="store_true", help="cut open: only what lies beyond the middle in y")
+    parser.add_argument("--view", default=",".join(map(str, VIEW)), help="direction from the part to the eye")
     parser.add_argument("--worst", type=int, default=0, help="show the N worst hexahedra inside the ghost of the part")
     a = parser.parse_args()
     draw(a.mesh, a.picture, a.colour, a.cut, tuple(float(v) for v in a.view.split(",")), a.worst)
