@@ -147,6 +147,11 @@ def draw_steps(part, size, scratch):
     def save(name, actors, **more):
         render.save(actors, PICTURES / f"{name}.png", size=SIZE, colours=COLOURS, **more)
 
+    cad_edges = np.asarray(surface["cad_edge"]).reshape(-1, 3)
+    sides = [[t[k], t[(k + 1) % 3]] for t, on in zip(np.asarray(surface["triangles"]), cad_edges) for k in range(3) if on[k] > 0]
+    vertices = np.asarray(surface["points"])[np.asarray(surface["point_dim"]) == 0]
+    save("read", [triangles(surface, edges=False, cad_face=np.asarray(surface["cad_face"])),
+                  tubes(surface["points"], sides, 0.4 * width), *balls(vertices, width)])
     save("surface", [triangles(surface, cad_face=np.asarray(surface["cad_face"]))])
 
     paper = hexfeature.mesh(part, size=size, labels="paper", stop_after="labels").stage("labels")
@@ -186,6 +191,7 @@ def draw_steps(part, size, scratch):
             save(name, [render.actor_of(render.surface_of(render.cut_open(grid, render.CUT)), "colour")])
 
     mesh.write(scratch / "smooth.vtk")
+    render.draw(scratch / "smooth.vtk", PICTURES / "result.png", "cad_face", size=SIZE, colours=COLOURS)
     render.draw(scratch / "smooth.vtk", PICTURES / "smooth.png", size=SIZE, colours=COLOURS)
     render.draw(scratch / "smooth.vtk", PICTURES / "smooth-cut.png", cut=True, size=SIZE, colours=COLOURS)
 

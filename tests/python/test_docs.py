@@ -1,7 +1,12 @@
 # HexFeatureWB - LGPL-2.1-or-later
 """The documentation says what is so: the option table, links, the changelog's licence."""
 import importlib.util
+import os
 import re
+import shutil
+import subprocess
+import sys
+import textwrap
 from pathlib import Path
 
 import pytest
@@ -28,3 +33,32 @@ def test_make_targets_of_the_readme_exist():
     for page in PAGES:
         for line in re.findall(r"^    make ([a-z -]+?)(?:\s+#.*)?$", page.read_text(encoding="utf-8"), re.MULTILINE):
             assert set(line.split()) <= targets, (page.name, line)
+
+
+BLOCKS = [(p.name, code) for p in PAGES for code in re.findall(r"^```python\n(.*?)^```", p.read_text(encoding="utf-8"), re.S | re.M)]
+PLAIN = [(name, code) for name, code in BLOCKS if "HexFeatureWB" not in code]
+IN_FREECAD = [(name, code) for name, code in BLOCKS if "HexFeatureWB" in code and "App." not in code]
+
+
+@pytest.fixture
+def folder(parts, tmp_path):
+    """An empty folder with part.step."""
+    shutil.copy(parts / "plate.step", tmp_path / "part.step")
+    return tmp_path
+
+
+@pytest.mark.parametrize("name, code", PLAIN, ids=[f"{name}-{k}" for k, (name, _) in enumerate(PLAIN)])
+def test_python_blocks_run(name, code, folder):
+    done = subprocess.run([sys.executable, "-c", code], cwd=folder, capture_output=True, text=True, timeout=60,
+                          env={**os.environ, "PYTHONPATH": str(ROOT / "python")})
+    assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.skipif(not shutil.which("freecadcmd"), reason="there is no freecadcmd")
+@pytest.mark.parametrize("name, code", IN_FREECAD, ids=[f"{name}-{k}" for k, (name, _) in enumerate(IN_FREECAD)])
+def test_freecad_blocks_run(name, code, folder):
+    end = "\nexcept BaseException:\n    import traceback\n    traceback.print_exc()\n    os._exit(1)\nos._exit(0)\n"
+    (folder / "macro.py").write_text("import os\ntry:\n" + textwrap.indent(code, "    ") + end)
+    done = subprocess.run(["freecadcmd", "-P", str(ROOT / "python"), "macro.py"], cwd=folder, capture_output=True, text=True, timeout=120,
+                          stdin=subprocess.DEVNULL, env={**os.environ, "QT_QPA_PLATFORM": "offscreen"})
+    assert done.returncode == 0, done.stderr
