@@ -10,6 +10,9 @@
 namespace hexfeature {
 namespace {
 
+/// A certified but poor mesh of more elements than this is not tried again: the second look would cost as much as the first.
+constexpr int kSecondLook = 10000;
+
 struct Proposal {
   int frame = 0;
   LabelEffort effort;
@@ -101,7 +104,7 @@ HexComplex mesh_solid(Part& part, int solid, const std::vector<Mat3>& frames, Ru
     }
     attempt.seconds = std::chrono::duration<double>(Context::Clock::now() - start).count();
     result.attempts.push_back(attempt);
-    if (best && (best->good || second_chance)) break;
+    if (best && (best->good || second_chance || best->mesh.hex_count() > kSecondLook)) break;
   }
   if (!best) throw *first_failure;
   result.method = "feature-line";
