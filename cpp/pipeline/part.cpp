@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "brep/cad_model.h"
+#include "surface/placed_projector.h"
 #include "surface/surface.h"
 
 namespace hexfeature {
@@ -34,31 +35,50 @@ class CadPart : public Part {
   Vec3 centre_;
 };
 
-/// A triangle surface keeps the coordinates it came with: its readers expect a part drawn along the axes.
+/// A triangle surface: the part as read, and its mesh and tables as placed.
 class SurfacePart : public Part {
  public:
-  explicit SurfacePart(TrianglePart part) : part_(std::move(part)) {
-    lo_ = hi_ = part_.mesh.points.front();
-    for (const Vec3& p : part_.mesh.points) {
-      lo_ = lo_.cwiseMin(p);
-      hi_ = hi_.cwiseMax(p);
+  explicit SurfacePart(TrianglePart part)
+      : read_(std::move(part)), mesh_(read_.mesh), faces_(read_.faces), vertices_(read_.vertices), projector_(*read_.projector) {
+    Vec3 lo = read_.mesh.points.front(), hi = lo;
+    for (const Vec3& p : read_.mesh.points) {
+      lo = lo.cwiseMin(p);
+      hi = hi.cwiseMax(p);
     }
+    centre_ = 0.5 * (lo + hi);
+    diagonal_ = (hi - lo).norm();
   }
-  Geometry geometry() const override { return part_.geometry(); }
+  Geometry geometry() const override { return {&faces_, &read_.edges, &vertices_, &projector_}; }
   int solid_count() const override { return 1; }
-  double volume() const override { return enclosed_volume(part_.mesh); }
-  double diagonal() const override { return (hi_ - lo_).norm(); }
+  double volume() const override { return enclosed_volume(mesh_); }
+  double diagonal() const override { return diagonal_; }
   std::vector<std::string> warnings() const override { return {}; }
-  std::vector<Mat3> frames() const override { return {Mat3::Identity()}; }
-  void place(const Mat3&) override {}
-  void place_in_world() override {}
-  Vec3 to_world(const Vec3& p) const override { return p; }
-  Vec3 centre() const override { return Vec3::Zero(); }
-  SurfaceMesh surface(double, Context&) const override { return part_.mesh; }
+  std::vector<Mat3> frames() const override { return find_frames(read_, 2); }
+  void place(const Mat3& rotation) override { place(rotation, centre_); }
+  void place_in_world() override { place(Mat3::Identity(), Vec3::Zero()); }
+  Vec3 to_world(const Vec3& p) const override { return projector_.to_world(p); }
+  Vec3 centre() const override { return centre_; }
+  SurfaceMesh surface(double, Context&) const override { return mesh_; }
 
  private:
-  TrianglePart part_;
-  Vec3 lo_, hi_;
+  void place(const Mat3& rotation, const Vec3& centre) {
+    projector_.place(rotation, centre);
+    for (std::size_t i = 0; i < mesh_.points.size(); ++i) mesh_.points[i] = projector_.to_frame(read_.mesh.points[i]);
+    for (std::size_t i = 0; i < mesh_.corner_normals.size(); ++i) mesh_.corner_normals[i] = projector_.turned(read_.mesh.corner_normals[i]);
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      faces_[i].origin = projector_.to_frame(read_.faces[i].origin);
+      faces_[i].axis = projector_.turned(read_.faces[i].axis);
+    }
+    for (std::size_t i = 0; i < vertices_.size(); ++i) vertices_[i].point = projector_.to_frame(read_.vertices[i].point);
+  }
+
+  TrianglePart read_;
+  SurfaceMesh mesh_;
+  std::vector<CadFace> faces_;
+  std::vector<CadVertex> vertices_;
+  PlacedProjector projector_;
+  Vec3 centre_;
+  double diagonal_ = 0;
 };
 
 }  // namespace

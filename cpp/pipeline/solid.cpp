@@ -92,6 +92,11 @@ HexComplex mesh_solid(Part& part, int solid, const std::vector<Mat3>& frames, Ru
         candidate.rotation = result.rotation;
         best = std::move(candidate);
       }
+    } catch (const Stopped& stopped) {
+      // A lattice has integer coordinates; from the fit on, the mesh is of the placed part.
+      if (stopped.step == "fit" || stopped.step == "sheets" || stopped.step == "smooth")
+        for (Vec3& p : result.mesh.points) p = part.to_world(p);
+      throw;
     } catch (const MeshingError& error) {
       if (error.kind != Failure::NoMesh) throw;
       attempt.step = error.step;

@@ -32,4 +32,8 @@ struct TrianglePart {
 };
 TrianglePart read_triangles(const std::string& path, double crease_degrees, Context& context);
 
+/// Candidate working frames of a triangle part, best first, as `find_frames` gives them for a CAD model: from the normals of its
+/// planes, and on curved faces from the directions that most area looks to and the principal directions of the normals.
+std::vector<Mat3> find_frames(const TrianglePart& part, int count = 2);
+
 }  // namespace hexfeature

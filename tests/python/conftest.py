@@ -22,6 +22,11 @@ box.exportBrep(folder + "box.brep")
 box.exportIges(folder + "box.iges")
 box.exportStl(folder + "box.stl")
 plate.exportStep(folder + "plate.step")
+plate.exportStl(folder + "plate.stl")
+turned = plate.copy()
+turned.Placement = FreeCAD.Placement(V(30, -70, 5), FreeCAD.Rotation(V(0.3, -0.7, 0.5), 137))
+turned.exportStep(folder + "turned_plate.step")
+turned.exportStl(folder + "turned_plate.stl")
 Part.makeShell(box.Faces[:5]).exportStep(folder + "open_shell.step")
 Part.makeCompound([box, Part.makeBox(5, 5, 5, V(60, 0, 0))]).exportStep(folder + "two_solids.step")
 
@@ -66,7 +71,7 @@ document("empty", lambda doc: None)
 
 @pytest.fixture(scope="session")
 def parts(tmp_path_factory):
-    """Folder with box.step/.brep/.iges/.stl, plate.step, open_shell.step, two_solids.step, and FreeCAD documents."""
+    """Folder with box.step/.brep/.iges/.stl, plate and turned_plate .step/.stl, open_shell.step, two_solids.step, and FreeCAD documents."""
     folder = tmp_path_factory.mktemp("parts")
     subprocess.run(["/usr/bin/python3", "-c", DRAW, str(folder)], check=True, capture_output=True)
     step = (folder / "box.step").read_text()

@@ -51,6 +51,17 @@ def test_other_part_formats(parts, ending):
     assert len(m.hexes) == 64
 
 
+@pytest.mark.parametrize("ending", ["step", "stl"])
+def test_a_part_turned_by_any_angle_meshes_as_well(parts, ending):
+    straight = hexfeature.mesh(parts / f"plate.{ending}", size=4)
+    turned = hexfeature.mesh(parts / f"turned_plate.{ending}", size=4)
+    assert len(turned.hexes) == len(straight.hexes)
+    qualities = [m.report["quality"]["min_scaled_jacobian"] for m in (straight, turned)]
+    assert min(qualities) > 0.6 and qualities[1] > qualities[0] - 0.1
+    again = hexfeature.mesh(parts / f"turned_plate.{ending}", size=4, stop_after="fit").stage("fit")["points"]
+    assert np.abs(again.mean(axis=0) - turned.points.mean(axis=0)).max() < 1, "a stage is in the part's own coordinates"
+
+
 def test_a_size_is_chosen(parts):
     m = hexfeature.mesh(parts / "box.step")
     assert 1000 < len(m.hexes) < 9000
