@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # HexFeatureWB - LGPL-2.1-or-later
-"""Write the table of options in docs/command-line.md from the program's own list: python3 docs/make_option_table.py"""
+"""Write the table of options in docs/command-line.md from the program's own list: /usr/bin/python3 docs/make_option_table.py"""
 import re
 import sys
 from pathlib import Path

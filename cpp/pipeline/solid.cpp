@@ -58,6 +58,11 @@ HexComplex mesh_solid(Part& part, int solid, const std::vector<Mat3>& frames, Ru
   Result& result = run.result;
   const std::vector<Proposal> proposals = make_proposals(static_cast<int>(frames.size()), run.options);
   std::optional<Candidate> best;
+  std::size_t best_attempt = 0;
+  const auto not_taken = [](Attempt& attempt) {
+    attempt.step = "quality";
+    attempt.reason = "the mesh of another labelling is better";
+  };
   std::optional<MeshingError> first_failure;
   int frame = -1;
   for (const Proposal& proposal : proposals) {
@@ -83,7 +88,11 @@ HexComplex mesh_solid(Part& part, int solid, const std::vector<Mat3>& frames, Ru
       candidate.mesh = feature_line(result.surface, part.geometry(), solid, proposal.effort, run);
       candidate.smoothing = result.smoothing;
       judge(candidate, part.geometry(), solid);
-      if (!best || candidate.score > best->score) {
+      if (best && candidate.score <= best->score) {
+        not_taken(attempt);
+      } else {
+        if (best) not_taken(result.attempts[best_attempt]);
+        best_attempt = result.attempts.size();
         for (Vec3& p : candidate.mesh.points) p = part.to_world(p);
         candidate.labels = std::move(result.labels);
         candidate.adaptation = std::move(result.adaptation);

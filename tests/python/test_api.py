@@ -1,7 +1,9 @@
 # HexFeatureWB - LGPL-2.1-or-later
 """The Python interface: arrays, callbacks, cancel, threads."""
+import subprocess
 import threading
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -134,3 +136,13 @@ def test_stages_are_arrays(parts):
 
 def test_repr(box_mesh):
     assert "64 hexahedra" in repr(box_mesh)
+
+
+def test_one_attempt_made_the_mesh(tmp_path):
+    """Without sheets this part's first mesh is poor, so that a second labelling is tried; one of the two is returned."""
+    draw = Path(__file__).resolve().parents[1] / "parts" / "make_parts.py"
+    subprocess.run(["/usr/bin/python3", str(draw), str(tmp_path), "pipe_tee"], check=True, capture_output=True)
+    attempts = hexfeature.mesh(tmp_path / "pipe_tee.step", size=4.5, sheets=False).report["attempts"]
+    assert len(attempts) > 1
+    assert sum(a["made_the_mesh"] for a in attempts) == 1
+    assert all(a["made_the_mesh"] or a["reason"] for a in attempts)

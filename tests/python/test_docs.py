@@ -19,7 +19,7 @@ def test_the_option_table_is_the_programs():
     spec = importlib.util.spec_from_file_location("make_option_table", ROOT / "docs" / "make_option_table.py")
     script = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(script)
-    assert script.table() in script.PAGE.read_text(encoding="utf-8"), "run python3 docs/make_option_table.py"
+    assert script.table() in script.PAGE.read_text(encoding="utf-8"), "run /usr/bin/python3 docs/make_option_table.py"
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda p: p.name)
