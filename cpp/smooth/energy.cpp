@@ -214,7 +214,7 @@ HexEnergy::Part HexEnergy::evaluate_group(int group, const double* x, const Ener
 }
 
 void HexEnergy::set_spans(std::vector<Span> spans, const double* x) {
-  constexpr double kBarrier = 1.3;
+  constexpr double kBarrier = 1.2;
   spans_ = std::move(spans);
   limit_.assign(spans_.size(), kBarrier);
   admit(x);

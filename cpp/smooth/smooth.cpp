@@ -45,9 +45,9 @@ std::vector<double> target_sizes(const HexComplex& mesh, double h) {
 
 /// The lengths that the mesh edges along CAD curves should keep. Without them points slide along a curve wherever an element
 /// gains a little, until neighbours stand 5 h or nothing apart: long chords then cut off the curve that the mesh follows. An edge
-/// may stretch until its sag (curvature |e|^2 / 8) is 0.18 h; a nearly straight one to twice the length that it came with.
+/// may stretch until its sag (curvature |e|^2 / 8) is 0.15 h; a nearly straight one to 1.6 times the length that it came with.
 std::vector<Span> curve_spans(const HexComplex& mesh, const Projector& projector, double h) {
-  constexpr double kSag = 0.18, kStretch = 2, kLong = 1.6;
+  constexpr double kSag = 0.15, kStretch = 1.6, kLong = 1.6;
   const std::size_t n = std::min(mesh.feature_edges.size(), mesh.feature_edge_cad.size());
   // Curvature from the tangents at both ends; of neighbours along one CAD edge the greatest, since points slide from one to the next.
   std::vector<double> curvature(n, 0.0), length(n, 0.0);
