@@ -62,3 +62,18 @@ def test_freecad_blocks_run(name, code, folder):
     done = subprocess.run(["freecadcmd", "-P", str(ROOT / "python"), "macro.py"], cwd=folder, capture_output=True, text=True, timeout=120,
                           stdin=subprocess.DEVNULL, env={**os.environ, "QT_QPA_PLATFORM": "offscreen"})
     assert done.returncode == 0, done.stderr
+
+
+def test_pictures_are_small_and_shown():
+    pictures = sorted((ROOT / "docs" / "pictures").iterdir())
+    image = re.compile(r"!\[[^]]*\]\(([^)]+)\)")
+    shown = {(page.parent / target).resolve() for page in PAGES for target in image.findall(page.read_text(encoding="utf-8"))}
+    assert set(pictures) == {p for p in shown if p.parent == ROOT / "docs" / "pictures"}
+    assert max(p.stat().st_size for p in pictures) < 200_000
+    assert sum(p.stat().st_size for p in pictures) < 3_000_000
+
+
+def test_the_index_leads_to_every_page():
+    index = (ROOT / "docs" / "index.md").read_text(encoding="utf-8")
+    for page in (ROOT / "docs").rglob("*.md"):
+        assert page.name == "index.md" or f"]({page.relative_to(ROOT / 'docs')})" in index, page.name
