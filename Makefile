@@ -15,7 +15,7 @@ help:  ## this list
 deps:  ## install the Debian packages that are missing
 	@packaging/install_missing.sh packaging/debian-packages.txt
 
-build: deps  ## the extension and the launcher build/hexfeature
+build: deps  ## the extension and the launchers build/hexfeature, build/hexfeature-batch
 	@cmake --preset $(PRESET) >build-configure.log 2>&1 || { cat build-configure.log; rm -f build-configure.log; exit 1; }
 	@rm -f build-configure.log
 	cmake --build build
