@@ -72,6 +72,7 @@ py::dict report_of(const Result& r) {
   cad["largest_node_deviation"] = q.deviation;
   cad["faces_without_quads"] = r.faces_without_quads;
   cad["sharp_edges_not_followed"] = r.sharp_edges_not_followed;
+  cad["straightened_mid_nodes"] = r.straightened;
   report["faithfulness"] = cad;
 
   py::dict labels;

@@ -8,9 +8,9 @@ namespace hexfeature {
 namespace {
 
 /// Reference coordinates in [-1, 1]^3 of the 20 nodes.
-constexpr std::array<std::array<int, 3>, 20> kNodes{{{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1},
-                                                     {-1, 1, 1},   {0, -1, -1}, {1, 0, -1}, {0, 1, -1},  {-1, 0, -1}, {0, -1, 1}, {1, 0, 1},
-                                                     {0, 1, 1},    {-1, 0, 1},  {-1, -1, 0}, {1, -1, 0}, {1, 1, 0},   {-1, 1, 0}}};
+constexpr std::array<std::array<int, 3>, 20> kNodes{
+    {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1},   {-1, 1, 1}, {0, -1, -1}, {1, 0, -1},
+     {0, 1, -1},   {-1, 0, -1}, {0, -1, 1}, {1, 0, 1},   {0, 1, 1},   {-1, 0, 1}, {-1, -1, 0}, {1, -1, 0}, {1, 1, 0},   {-1, 1, 0}}};
 
 using Gradients = std::array<Vec3, 20>;
 
@@ -58,7 +58,7 @@ std::vector<Gradients> check_points() {
 
 /// Number every edge of the complex; edge ids of each hexahedron in kHexEdges order.
 struct Edges {
-  std::vector<std::array<int, 2>> nodes;      // smaller first, sorted
+  std::vector<std::array<int, 2>> nodes;  // smaller first, sorted
   std::vector<std::array<int, 12>> of_hex;
   int find(int a, int b) const {
     const std::array<int, 2> key{std::min(a, b), std::max(a, b)};
@@ -79,6 +79,31 @@ Edges number_edges(const HexComplex& complex) {
   return edges;
 }
 
+/// The two edges of a hexahedron that run beside edge e in its faces (kHexEdges order: two rings of four, then the uprights).
+std::array<int, 2> beside(int e) {
+  if (e < 8) return {e / 4 * 4 + (e + 2) % 4, (e + 4) % 8};
+  return {8 + (e + 1) % 4, 8 + (e + 3) % 4};
+}
+
+/// Edges bend along with their neighbours: each soft edge's bow becomes the mean of those of the edges beside it.
+void spread_bows(const Edges& edges, const std::vector<char>& soft, std::vector<Vec3>& bow) {
+  constexpr int kSweeps = 16;
+  std::vector<Vec3> sum(bow.size());
+  std::vector<int> count(bow.size());
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    std::fill(sum.begin(), sum.end(), Vec3::Zero());
+    std::fill(count.begin(), count.end(), 0);
+    for (const auto& of_hex : edges.of_hex)
+      for (int e = 0; e < 12; ++e) {
+        if (!soft[of_hex[e]]) continue;
+        for (int other : beside(e)) sum[of_hex[e]] += bow[of_hex[other]];
+        count[of_hex[e]] += 2;
+      }
+    for (std::size_t e = 0; e < bow.size(); ++e)
+      if (soft[e]) bow[e] = sum[e] / count[e];
+  }
+}
+
 }  // namespace
 
 QuadraticMesh make_quadratic(const HexComplex& complex, const Projector& projector, Context& context) {
@@ -86,9 +111,9 @@ QuadraticMesh make_quadratic(const HexComplex& complex, const Projector& project
   const Edges edges = number_edges(complex);
   const int edge_count = static_cast<int>(edges.nodes.size()), first_mid = complex.point_count();
 
-  std::vector<Vec3> chord(edge_count), curve(edge_count);
+  std::vector<Vec3> chord(edge_count), bow(edge_count, Vec3::Zero());  // bow: from the chord's middle to the mid-side node
   result.mid_place.assign(edge_count, CadPlace{});
-  for (int e = 0; e < edge_count; ++e) chord[e] = curve[e] = 0.5 * (complex.points[edges.nodes[e][0]] + complex.points[edges.nodes[e][1]]);
+  for (int e = 0; e < edge_count; ++e) chord[e] = 0.5 * (complex.points[edges.nodes[e][0]] + complex.points[edges.nodes[e][1]]);
 
   // Boundary edges: a feature edge's middle lies on its curve, another's on the face of a quad beside it.
   std::vector<int> cad_edge(edge_count, 0), cad_face(edge_count, 0);
@@ -99,22 +124,23 @@ QuadraticMesh make_quadratic(const HexComplex& complex, const Projector& project
       int& face = cad_face[edges.find(complex.quads[q][k], complex.quads[q][(k + 1) % 4])];
       if (face == 0) face = complex.quad_face[q];
     }
+  const auto put_on_face = [&](int e) {
+    const FacePoint p = projector.project_to_face(cad_face[e], chord[e] + bow[e], nullptr);
+    bow[e] = p.point - chord[e];
+    result.mid_place[e] = {2, cad_face[e], p.uv};
+  };
   for (int e = 0; e < edge_count; ++e) {
-    if (e % 4096 == 0) context.check();
+    if (e % 256 == 0) context.check();
     if (cad_edge[e] > 0) {
       const CurvePoint p = projector.project_to_edge(cad_edge[e], chord[e], nullptr);
-      curve[e] = p.point;
+      bow[e] = p.point - chord[e];
       result.mid_place[e] = {1, cad_edge[e], Vec2(p.t, 0)};
     } else if (cad_face[e] > 0) {
-      const FacePoint p = projector.project_to_face(cad_face[e], chord[e], nullptr);
-      curve[e] = p.point;
-      result.mid_place[e] = {2, cad_face[e], p.uv};
+      put_on_face(e);
     }
   }
 
-  // Back off where an element would turn bad: halve its mid-side nodes' way from chord to curve, at last to the chord.
   const std::vector<Gradients> checks = check_points();
-  std::vector<double> way(edge_count, 1.0);
   std::vector<std::array<int, 20>>& hexes = result.hexes;
   hexes.resize(complex.hexes.size());
   for (std::size_t h = 0; h < hexes.size(); ++h) {
@@ -126,7 +152,7 @@ QuadraticMesh make_quadratic(const HexComplex& complex, const Projector& project
     for (int n = 0; n < 8; ++n) x[n] = complex.points[hexes[h][n]];
     for (int e = 0; e < 12; ++e) {
       const int id = edges.of_hex[h][e];
-      x[8 + e] = chord[id] + way[id] * (curve[id] - chord[id]);
+      x[8 + e] = chord[id] + bow[id];
     }
     for (const Gradients& g : checks) {
       Mat3 j = Mat3::Zero();
@@ -135,22 +161,46 @@ QuadraticMesh make_quadratic(const HexComplex& complex, const Projector& project
     }
     return true;
   };
-  for (int round = 0; round < 6; ++round) {
-    bool changed = false;
+  const auto bad_hexes = [&] {
+    std::vector<int> bad;
     for (std::size_t h = 0; h < hexes.size(); ++h) {
       if (h % 1024 == 0) context.check();
-      bool curved = false;
-      for (int e : edges.of_hex[h]) curved = curved || (way[e] > 0 && (curve[e] - chord[e]).squaredNorm() > 0);
-      if (!curved || good(h)) continue;
-      for (int e : edges.of_hex[h]) way[e] = round < 4 ? 0.5 * way[e] : 0.0;
-      changed = true;
+      const auto& of_hex = edges.of_hex[h];
+      if (std::any_of(of_hex.begin(), of_hex.end(), [&](int e) { return !bow[e].isZero(0); }) && !good(h))
+        bad.push_back(static_cast<int>(h));
     }
-    if (!changed) break;
+    return bad;
+  };
+
+  // A strongly curved edge folds its element unless the edges beside it bend too: inside the part, and within its faces.
+  std::vector<int> bad = bad_hexes();
+  std::vector<char> soft(edge_count, 0);
+  for (int round = 0; round < 4 && !bad.empty(); ++round) {
+    std::vector<int> bending = bad;  // and a ring more round them each time
+    for (std::size_t h = 0; h < hexes.size(); ++h)
+      if (std::any_of(edges.of_hex[h].begin(), edges.of_hex[h].end(), [&](int e) { return soft[e] != 0; }))
+        bending.push_back(static_cast<int>(h));
+    for (int h : bending)
+      for (int e : edges.of_hex[h]) soft[e] = cad_edge[e] == 0;
+    spread_bows(edges, soft, bow);
+    for (int e = 0; e < edge_count; ++e)
+      if (soft[e] && cad_face[e] > 0) put_on_face(e);
+    bad = bad_hexes();
+  }
+  // Where that is not enough, back off from curve to chord: half way, and at last all of it.
+  std::vector<char> backed_off(edge_count, 0);
+  for (int round = 0; round < 8 && !bad.empty(); ++round) {
+    for (int h : bad)
+      for (int e : edges.of_hex[h]) {
+        if (!bow[e].isZero(0)) backed_off[e] = 1;
+        bow[e] *= round < 4 ? 0.5 : 0.0;
+      }
+    bad = bad_hexes();
   }
   result.mid_points.resize(edge_count);
   for (int e = 0; e < edge_count; ++e) {
-    result.mid_points[e] = chord[e] + way[e] * (curve[e] - chord[e]);
-    if (way[e] < 1 && (curve[e] - chord[e]).squaredNorm() > 0) {
+    result.mid_points[e] = chord[e] + bow[e];
+    if (backed_off[e] && result.mid_place[e].dim < 3) {
       ++result.straightened;
       result.mid_place[e] = CadPlace{};
     }

@@ -24,7 +24,8 @@ struct QuadraticMesh {
 
 /// Put mid-side nodes on the CAD: on the curve of a feature edge, on the face of a boundary edge, else at the chord's
 /// middle. Where the Jacobian determinant would not be positive at the 27 and 8 integration points of C3D20 and C3D20R and
-/// at the nodes, the element's boundary mid-side nodes go back to the chord, by halves.
+/// at the nodes, the edges round the element bend along with its curved one, each ring less; where that is not enough, the
+/// element's mid-side nodes go back to the chord, by halves.
 QuadraticMesh make_quadratic(const HexComplex& complex, const Projector& projector, Context& context);
 
 }  // namespace hexfeature

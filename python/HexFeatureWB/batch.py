@@ -76,9 +76,11 @@ def mesh_one(shape, stem, options):
 def run(files, out, options):
     """Mesh every solid of `files` into the folder `out`; returns (rows of the summary, exit code)."""
     os.makedirs(out, exist_ok=True)
-    rows = []
+    rows, stems = [], set()
     for path in files:
-        stem = os.path.join(out, re.sub(r"\W+", "_", os.path.splitext(os.path.basename(path))[0]))
+        stem = _free_stem(path, stems)
+        stems.add(stem)
+        stem = os.path.join(out, stem)
         try:
             solids = solids_in(path)
             if not solids:
@@ -107,6 +109,12 @@ def run(files, out, options):
     return rows, 0 if meshed == len(rows) else 4 if meshed else 3
 
 
+def _free_stem(path, taken):
+    """The file's name without its ending; numbered when another file of the same name came before it."""
+    stem = re.sub(r"\W+", "_", os.path.splitext(os.path.basename(path))[0])
+    return next(name for name in (stem, *("%s_%d" % (stem, n) for n in range(2, len(taken) + 3))) if name not in taken)
+
+
 def _reason(error):
     """What an exception says; FreeCAD's own carry a dict."""
     told = error.args[0] if error.args else ""
@@ -132,6 +140,12 @@ def main(arguments=None):
             parser.add_argument(flag, type=kinds[spec["type"]], choices=spec["choices"] or None, help=spec["help"])
     values = vars(parser.parse_args(arguments))
     files, out = values.pop("files"), values.pop("out")
+    if values["size"] is not None and not 0 < values["size"] < float("inf"):
+        parser.error("size is %g but must be a length greater than 0" % values["size"])
+    try:
+        os.makedirs(out, exist_ok=True)
+    except OSError as error:
+        parser.error("cannot make the folder '%s': %s" % (out, error.strerror))
     rows, code = run(files, out, {key: value for key, value in values.items() if value is not None})
     print()  # FreeCAD leaves its progress without an end of line
     widths = {c: max(len(c), *(len(str(r[c])) for r in rows)) for c in COLUMNS}

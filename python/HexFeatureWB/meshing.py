@@ -22,6 +22,12 @@ def mesh(obj, size=None, analysis=None, name=None, progress=None, cancelled=None
     Raises MeshingError (kind, step, reason, hint, cad_faces); the document is then as it was.
     """
     _solids_of(obj)
+    if size is not None:
+        if isinstance(size, bool) or not isinstance(size, (int, float, FreeCAD.Units.Quantity)):
+            raise _usage("size is %r but must be a length in mm" % (size,))
+        size = float(getattr(size, "Value", size))
+        if not 0 < size < float("inf"):
+            raise _usage("size is %g but must be a length greater than 0" % size)
     document = obj.Document
     document.openTransaction("Hex mesh")
     try:
@@ -32,9 +38,10 @@ def mesh(obj, size=None, analysis=None, name=None, progress=None, cancelled=None
         for option, value in options.items():
             if option not in known:
                 raise _usage("there is no option '%s'" % option)
-            setattr(result_object, mesh_object.property_name(option), value)
-        if size is not None and not size > 0:
-            raise _usage("size is %s but must be greater than 0" % size)
+            try:
+                setattr(result_object, mesh_object.property_name(option), value)
+            except (TypeError, ValueError):  # of FreeCAD's property
+                raise _usage("%s cannot be %r" % (option, value)) from None
         refresh(result_object, progress, cancelled)
         if analysis is not None:
             for old in [m for m in analysis.Group if m.isDerivedFrom("Fem::FemMeshObject")]:
@@ -90,7 +97,8 @@ def check_groups(fem, shape, ids):
 
 def _usage(reason):
     error = MeshingError("options: " + reason)
-    error.kind, error.step, error.reason, error.hint, error.cad_faces = "usage", "options", reason, "", []
+    error.kind, error.step, error.reason, error.cad_faces = "usage", "options", reason, []
+    error.hint = "hexfeature mesh --help lists the options"
     return error
 
 
@@ -103,6 +111,7 @@ def _solids_of(obj):
     if shape is None or not hasattr(shape, "Solids") or not shape.Solids:
         error = _usage("the object has no solid")
         error.kind, error.step = "bad_input", "read"
+        error.hint = "choose an object with a solid; make one of a shell with Part > Convert to solid"
         raise error
     part = shape.Solids[0] if len(shape.Solids) == 1 else shape
     names = {}

@@ -144,6 +144,16 @@ class TestCalculiX(DocumentTest):
 
 
 class TestBatch(DocumentTest):
+    def test_files_of_one_name_do_not_overwrite_each_other(self):
+        with tempfile.TemporaryDirectory() as folder:
+            paths = [os.path.join(folder, sub, "box.step") for sub in ("a", "b")]
+            for path in paths:
+                os.mkdir(os.path.dirname(path))
+                make_parts.box().exportStep(path)
+            rows, code = batch.run(paths, os.path.join(folder, "out"), {"size": 10.0, "order": 1})
+            self.assertEqual((code, len(rows)), (0, 2))
+            self.assertIn("box_2.unv", os.listdir(os.path.join(folder, "out")))
+
     def test_goes_on_after_a_bad_file_and_says_so(self):
         with tempfile.TemporaryDirectory() as folder:
             good = make_parts.make("box", folder)
@@ -164,6 +174,33 @@ class TestBatch(DocumentTest):
             )
             mesh = FreeCAD.openDocument(os.path.join(out, "box.FCStd")).getObject("HexMesh")
             self.assertEqual(mesh.FemMesh.HexaCount, rows[1]["hexes"])
+
+
+class TestBadInput(DocumentTest):
+    def test_every_mistake_is_a_meshing_error_and_leaves_the_document_alone(self):
+        document, part = new_part(make_parts.box())
+        shell = document.addObject("Part::Feature", "Shell")
+        shell.Shape = Part.makeShell(part.Shape.Faces[:5])
+        before = len(document.Objects)
+        mistakes = [(part, {"size": size}) for size in (0, -1, float("nan"), float("inf"), 1e6, 1e-6, "abc", True)]
+        for name, value in (("labels", "none"), ("order", "x"), ("order", 3), ("nonsense", 1)):
+            mistakes.append((part, {"size": 5, name: value}))
+        mistakes += [(shell, {"size": 5}), (None, {"size": 5})]
+        for obj, options in mistakes:
+            with self.subTest(options=options), self.assertRaises(HexFeatureWB.MeshingError) as caught:
+                HexFeatureWB.mesh(obj, **options)
+            self.assertIn(caught.exception.kind, ("usage", "bad_input"))
+            self.assertTrue(caught.exception.hint)
+            self.assertEqual(len(document.Objects), before)
+
+
+class TestSecondOrder(DocumentTest):
+    def test_freecad_finds_every_quad_of_curved_faces(self):
+        for name, size in (("flange", 3.5), ("connecting_rod", 3.2)):
+            document, part = new_part(getattr(make_parts, name)())
+            report = json.loads(HexFeatureWB.mesh(part, size=size, order=2).Report)
+            self.assertEqual(report["groups_not_found_by_geometry"], {})
+            self.assertEqual(report["faithfulness"]["straightened_mid_nodes"], 0)
 
 
 class TestAddon(unittest.TestCase):

@@ -53,6 +53,15 @@ def test_other_part_formats(parts, ending):
     assert len(m.hexes) == 64
 
 
+@pytest.mark.parametrize("part, order", [("plate.step", 2), ("turned_plate.stl", 1)])
+def test_the_same_file_every_time_and_with_any_number_of_threads(parts, tmp_path, part, order):
+    texts = []
+    for threads in (1, 2, 2):
+        hexfeature.mesh(parts / part, size=3, order=order, threads=threads).write(tmp_path / "m.vtk")
+        texts.append((tmp_path / "m.vtk").read_bytes())
+    assert texts[0] == texts[1] == texts[2]
+
+
 @pytest.mark.parametrize("ending", ["step", "stl"])
 def test_a_part_turned_by_any_angle_meshes_as_well(parts, ending):
     straight = hexfeature.mesh(parts / f"plate.{ending}", size=4)
