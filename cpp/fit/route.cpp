@@ -12,7 +12,7 @@ namespace hexfeature {
 namespace {
 
 constexpr double kReach = 3.0;                               ///< lattice units that an end may move
-constexpr double kSharpRms = 1.3, kSmoothRms = 0.8;          ///< root mean square distance of a path that is too dear
+constexpr double kSharpRms = 1.3, kSmoothRms = 0.9;          ///< root mean square distance of a path that is too dear
 constexpr double kSharpLargest = 2.2, kSmoothLargest = 1.3;  ///< largest distance of a path that is too dear
 /// A path may only turn where the curve turns at least so much within an element: the corner that the turn puts there opens to 180
 /// degrees less that turn. Losing a sharp edge is worse than a poor corner.

@@ -21,6 +21,7 @@ constexpr double kOrderCost = 20;         // an order violated by one interval, 
 constexpr double kOrderCostMany = 70;     // ... or many
 constexpr double kSeparationCost = 1000;  // above anything else: the fill has shown that it is needed
 constexpr double kIntervalWishCost = 5;   // an arc without the intervals its bends ask for
+constexpr double kPiecesCost = 20;        // a sharp CAD edge inside a chart without a line of its own
 constexpr double kPositionCost = 0.02, kPositionCostLarge = 0.05;
 constexpr double kTieBreak = 0.01;      // a target of n + 1/2 goes up everywhere
 constexpr double kLargestTarget = 1e6;  // intervals; beyond, no lattice can be built anyway
@@ -204,7 +205,7 @@ Polycube quantize(const SurfaceMesh& mesh, const FeatureShape& shape, const std:
     const double lines = kLineCost * order.lines,
                  gap_cost = kGapCost * std::min(1.0, order.count / 4.0) + lines / (1 + lines / kLineCostMost);
     list.push_back({from, to, 1, std::llround(kTermScale * cost)});
-    if (order.pieces > 1) list.push_back({from, to, order.pieces, std::llround(kTermScale * kIntervalWishCost)});
+    if (order.pieces > 1) list.push_back({from, to, order.pieces, std::llround(kTermScale * kPiecesCost)});
     const double t = target(order.gap);
     add_convex_terms(list, from, to, t, 1, [&](int d) { return gap_cost * interval_cost(t, d, 0); });
   }

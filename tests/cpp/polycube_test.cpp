@@ -173,3 +173,31 @@ TEST_CASE("orders: opposite walls through solid and gaps, inner loops inside out
   CHECK(gap(chart(5, 0), chart(4, 1)) == doctest::Approx(1));
   for (const auto& o : orders) CHECK(o.gap > 0);
 }
+
+TEST_CASE("a ring one element wide gets a line for the sharp CAD edge that runs round inside it") {
+  // A plate with a square hole whose rim is a funnel: the crease goes round the hole, inside the top's chart.
+  auto surface = voxel_surface(plate_with_hole());
+  auto& mesh = surface.mesh;
+  const auto distance = [](const Vec3& p) { return std::max(std::abs(p.x() - 2.5), std::abs(p.y() - 2.5)); };
+  for (const bool sharp : {false, true}) {
+    if (sharp) {
+      deform(mesh, [&](const Vec3& p) { return Vec3(p - Vec3(0, 0, p.z() > 0.9 ? 0.9 * std::max(0.0, 1 - distance(p)) : 0)); });
+      for (int h = 0; h < 3 * mesh.triangle_count(); ++h)
+        if (std::abs(mesh.dihedral(h)) > 0.5 && std::abs(distance(mesh.points[mesh.from(h)]) - 1) < 1e-9 &&
+            std::abs(distance(mesh.points[mesh.to(h)]) - 1) < 1e-9 && mesh.points[mesh.from(h)].z() > 0.9)
+          mesh.halfedge_edge[h] = 1;
+    }
+    const auto shape = make_feature_shape(surface);
+    const Polycube polycube = solve(surface, 2);
+    const auto at = [&](Label l, double place) {
+      for (int c = 0; c < shape.chart_count(); ++c)
+        if (shape.charts[c].label == l && shape.charts[c].centroid[axis_of(l)] == doctest::Approx(place)) return polycube.coordinate[c];
+      return -1;
+    };
+    for (const int axis : {0, 1}) {
+      const Label up = make_label(axis, 1), down = make_label(axis, -1);
+      CHECK(at(up, 2) - at(down, 0) == (sharp ? 2 : 1));
+      CHECK(at(up, 5) - at(down, 3) == (sharp ? 2 : 1));
+    }
+  }
+}
