@@ -21,8 +21,8 @@ struct GroupCorrections {
 /// "Many other rules are used" there without being told; these are ours:
 ///  Even borders: a triangle with two neighbours of another group joins it when its adaptation hardly prefers its own label.
 ///  Tiny groups: a group under 0.02 h^2 joins as by rule 1 however many neighbours it has.
-/// Order: islands (one or two neighbours), rule 2, rule 1. Rule 1 only lowers the number of groups and a triangle is recoloured by rule 2 once at most, so the rules end.
-/// `size` is the element size h. Deterministic.
+/// Order: islands (one or two neighbours), rule 2, rule 1. Rule 1 only lowers the number of groups and a triangle is recoloured by rule 2
+/// once at most, so the rules end. `size` is the element size h. Deterministic.
 GroupCorrections correct_groups(const SurfaceMesh& mesh, const std::vector<Vec3>& adaptation, double size, std::vector<Label>& label,
                                 const Context& context);
 

@@ -136,7 +136,8 @@ class TestCalculiX(DocumentTest):
             shape = Part.Shape()
             shape.read(make_parts.make("bracket", folder))
         solid = shape.Solids[0]
-        faces = {("top" if f.CenterOfMass.z > 59 else "end" if f.CenterOfMass.x > 59 else ""): "Face%d" % n for n, f in enumerate(solid.Faces, 1)}
+        centres = [face.CenterOfMass for face in solid.Faces]
+        faces = {("top" if c.z > 59 else "end" if c.x > 59 else ""): "Face%d" % n for n, c in enumerate(centres, 1)}
         for order in (1, 2):
             result, reaction = self.solve(solid, 4, faces["end"], faces["top"], 500.0, order=order)
             self.assertAlmostEqual(reaction.Length, 500, delta=0.5)
