@@ -39,10 +39,11 @@ endfunction()
 # One executable a test file: tests/cpp/ROOM_test.cpp or ROOM_topic_test.cpp tests that room (and may use all rooms before it).
 function(hexfeature_tests)
   file(GLOB tests CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/cpp/*_test.cpp)
+  add_library(test_main OBJECT ${CMAKE_SOURCE_DIR}/tests/cpp/main.cpp)  # the test framework is compiled once, not once a test
   foreach(source ${tests})
     get_filename_component(test ${source} NAME_WE)
     string(REGEX MATCH "^[a-z]+" room ${test})
-    add_executable(${test} ${source} ${CMAKE_SOURCE_DIR}/tests/cpp/main.cpp)
+    add_executable(${test} ${source} $<TARGET_OBJECTS:test_main>)
     target_include_directories(${test} PRIVATE ${CMAKE_SOURCE_DIR}/tests/cpp)
     hexfeature_compile_options(${test})
     target_link_libraries(${test} PRIVATE hexfeature_${room})
