@@ -16,11 +16,16 @@ namespace {
 
 const char* name_of(Failure kind) {
   switch (kind) {
-    case Failure::Usage: return "usage";
-    case Failure::BadInput: return "bad_input";
-    case Failure::NoMesh: return "no_mesh";
-    case Failure::Output: return "output";
-    case Failure::Cancelled: return "cancelled";
+    case Failure::Usage:
+      return "usage";
+    case Failure::BadInput:
+      return "bad_input";
+    case Failure::NoMesh:
+      return "no_mesh";
+    case Failure::Output:
+      return "output";
+    case Failure::Cancelled:
+      return "cancelled";
   }
   return "no_mesh";
 }
@@ -73,7 +78,8 @@ class PythonContext : public Context {
 };
 
 template <class Mesh>
-std::shared_ptr<Result> run(const Mesh& mesh, const py::dict& values, const py::object& progress, const py::object& log, const py::object& cancelled) {
+std::shared_ptr<Result> run(const Mesh& mesh, const py::dict& values, const py::object& progress, const py::object& log,
+                            const py::object& cancelled) {
   const Options options = options_from(values);
   PythonContext context(progress, log, cancelled);
   auto result = std::make_shared<Result>();
@@ -167,7 +173,9 @@ PYBIND11_MODULE(_core, m) {
             write_mesh({r.mesh, r.hexes20, r.quads8}, path, {element_type});
           },
           py::arg("path"), py::arg("element_type") = "", "Write the mesh by the path's ending (writable_endings). Raises MeshingError.")
-      .def("report", [](const Pointer& r) { return report_of(*r); }, "Everything of the report as a dict.")
-      .def("stage", [](const Pointer& r, const std::string& name) { return stage_of(r, name); }, py::arg("name"),
-           "An intermediate result as a dict of arrays: surface, labels, shape, polycube, lattice, fit, sheets, smooth.");
+      .def(
+          "report", [](const Pointer& r) { return report_of(*r); }, "Everything of the report as a dict.")
+      .def(
+          "stage", [](const Pointer& r, const std::string& name) { return stage_of(r, name); }, py::arg("name"),
+          "An intermediate result as a dict of arrays: surface, labels, shape, polycube, lattice, fit, sheets, smooth.");
 }

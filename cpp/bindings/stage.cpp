@@ -1,8 +1,8 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #include <pybind11/stl.h>
 
-#include "bindings/convert.h"
 #include "base/error.h"
+#include "bindings/convert.h"
 
 namespace py = pybind11;
 

@@ -84,7 +84,8 @@ int join_groups(const Groups& g, int least_neighbours, double size, std::vector<
 
 /// A strip of whole triangles of group `a` along its border with `b`: those that touch the border, and those whose centre
 /// is nearer to it than `width`.
-std::vector<int> strip_along(const SurfaceMesh& mesh, const Groups& g, const std::vector<std::vector<int>>& triangles, int a, int b, double width) {
+std::vector<int> strip_along(const SurfaceMesh& mesh, const Groups& g, const std::vector<std::vector<int>>& triangles, int a, int b,
+                             double width) {
   std::vector<Vec3> middles;
   std::vector<int> touched;
   for (int t : triangles[a])

@@ -27,11 +27,11 @@ struct LabelState {
 };
 
 struct SearchOptions {
-  double size = 1;             ///< element size h
-  int max_expansions = 4000;   ///< bound on expansions
-  double max_work = 6e7;       ///< bound on counted work: macro edges looked at (about 10 million a second)
+  double size = 1;               ///< element size h
+  int max_expansions = 4000;     ///< bound on expansions
+  double max_work = 6e7;         ///< bound on counted work: macro edges looked at (about 10 million a second)
   double fold_tolerance = 0.75;  ///< LabelOptions::fold_tolerance
-  double good_defects = 0.05;  ///< a filled state with fewer soft defects ends the search
+  double good_defects = 0.05;    ///< a filled state with fewer soft defects ends the search
 };
 
 struct SearchResult {
@@ -84,7 +84,7 @@ class LabelSearch {
   SearchResult result_;
   bool have_best_ = false;
   double improve_until_ = 0;  // counted work
-  int after_best_ = 0;  // expansions since something filled
+  int after_best_ = 0;        // expansions since something filled
   // Waiting states in two orders, expanded in turn: by `total`, and with defects dear and violations cheap: a valid
   // labelling that flattens a pocket is often further from a good one than an invalid one is.
   std::deque<LabelState> states_;

@@ -38,12 +38,12 @@ struct LabelResult {
   double energy = 0;        ///< experiments A5: E, and the soft defects Q
   double defects = 0;
   int expansions = 0;
-  std::vector<int> sites;   ///< per triangle of surface.mesh: CAD region (for pictures)
+  std::vector<int> sites;  ///< per triangle of surface.mesh: CAD region (for pictures)
 };
 
 /// The default labeller: labels on CAD regions, energy, validity with blame, best-first repair (design 3.3, experiments A3-A7).
-LabelResult label_regions(const SurfaceMesh& mesh, const Geometry& geometry, const LabelOptions& options,
-                          const FillCheck& fill, Context& context);
+LabelResult label_regions(const SurfaceMesh& mesh, const Geometry& geometry, const LabelOptions& options, const FillCheck& fill,
+                          Context& context);
 
 /// The paper's labeller, steps 3-2 to 3-7b: adaptation, groups, correction rules, conditions, equations (1) and (2).
 /// `adaptation` is the final degree of adaptation per triangle.

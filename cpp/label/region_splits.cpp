@@ -91,7 +91,8 @@ bool number_pieces(Regions& regions, int site, const std::vector<int>& patch, co
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return area[a] < area[b]; });
   for (int p : order) {
     if (area[p] >= least_area || border[p].empty()) continue;
-    const int to = std::max_element(border[p].begin(), border[p].end(), [](const auto& x, const auto& y) { return x.second < y.second; })->first;
+    const int to =
+        std::max_element(border[p].begin(), border[p].end(), [](const auto& x, const auto& y) { return x.second < y.second; })->first;
     joined[p] = to;
     area[to] += area[p];
     for (const auto& [other, length] : border[p]) {
@@ -207,7 +208,8 @@ bool split_strip(Regions& regions, const Geometry& geometry, int site, const std
   if (halfedges.empty() || width <= 0) return false;
   const SurfaceMesh& mesh = regions.mesh;
   const std::vector<Vec3> chain = points_of(mesh, halfedges);
-  std::vector<CutFunction> functions{{[chain, width](const Vec3& p, const Vec3&) { return distance_to(chain, p) - width; }, {}, 0.5 * width}};
+  std::vector<CutFunction> functions{
+      {[chain, width](const Vec3& p, const Vec3&) { return distance_to(chain, p) - width; }, {}, 0.5 * width}};
 
   // Where the site goes on straight beyond the chain's end, the strip ends squarely there instead of turning round it.
   if (mesh.from(halfedges.front()) != mesh.to(halfedges.back())) {
@@ -223,7 +225,8 @@ bool split_strip(Regions& regions, const Geometry& geometry, int site, const std
 }
 
 bool split_across(Regions& regions, const Geometry& geometry, int site, int axis, double coordinate, double least_area) {
-  return split_by(regions, geometry, site, {{[axis, coordinate](const Vec3& p, const Vec3&) { return p[axis] - coordinate; }, {}, 0}}, least_area);
+  return split_by(regions, geometry, site, {{[axis, coordinate](const Vec3& p, const Vec3&) { return p[axis] - coordinate; }, {}, 0}},
+                  least_area);
 }
 
 bool split_creases(Regions& regions, int site, double degrees, double least_area) {

@@ -69,7 +69,8 @@ struct RadialFrame {
 };
 
 /// Is a cylinder or cone oblique, longer than h and more than about half round? Then `middle` is its mid-height on the axis.
-bool needs_cross_cut(const SurfaceMesh& mesh, const FacePatch& patch, const RadialFrame& frame, const RegionOptions& options, double& middle) {
+bool needs_cross_cut(const SurfaceMesh& mesh, const FacePatch& patch, const RadialFrame& frame, const RegionOptions& options,
+                     double& middle) {
   if (frame.axis.cwiseAbs().maxCoeff() > std::cos(options.oblique_angle * kDegree)) return false;
   double low = std::numeric_limits<double>::max(), high = -low;
   constexpr int kBins = 12;

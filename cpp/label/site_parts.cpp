@@ -31,7 +31,8 @@ void merge_small_sites(const SurfaceMesh& mesh, const std::vector<double>& face_
       if (a != b && face[a] == face[b]) border[a][b] += (mesh.points[mesh.to(h)] - mesh.points[mesh.from(h)]).norm();
     }
     while (!order.empty()) {
-      const auto least = std::min_element(order.begin(), order.end(), [&](int a, int b) { return area[a] != area[b] ? area[a] < area[b] : a < b; });
+      const auto least =
+          std::min_element(order.begin(), order.end(), [&](int a, int b) { return area[a] != area[b] ? area[a] < area[b] : a < b; });
       const int s = *least;
       order.erase(least);
       int best = -1;

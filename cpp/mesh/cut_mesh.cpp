@@ -284,11 +284,11 @@ int SurfaceCutter::split(int h, const EdgePoint& at, std::vector<int>& patch) {
   for (int e : {edge, edge_bc, 0, edge, 0, edge_db}) m.halfedge_edge.push_back(e);
   m.opposite.resize(m.opposite.size() + 6);
   const auto join = [&](int x, int y) { m.opposite[x] = y, m.opposite[y] = x; };
-  join(3 * T, 3 * U);              // p-b
-  join(h1, 3 * T + 2);             // p-c
-  join(o2, 3 * U + 1);             // p-d
-  join(3 * T + 1, beyond_bc);      // b-c
-  join(3 * U + 2, beyond_db);      // d-b
+  join(3 * T, 3 * U);          // p-b
+  join(h1, 3 * T + 2);         // p-c
+  join(o2, 3 * U + 1);         // p-d
+  join(3 * T + 1, beyond_bc);  // b-c
+  join(3 * U + 2, beyond_db);  // d-b
   for (int from : {t, u}) {
     m.triangle_face.push_back(m.triangle_face[from]);
     parents_.push_back(from);

@@ -38,7 +38,7 @@ struct CadEdge {
 struct CadVertex {
   Vec3 point = Vec3::Zero();
   std::vector<int> edges;  ///< 1-based, non-degenerate ones that end here
-  bool hard = false;       ///< a corner that must be a mesh node: its number of sharp edges is neither 0 nor 2, or they kink over 30 degrees
+  bool hard = false;  ///< a corner that must be a mesh node: its number of sharp edges is neither 0 nor 2, or they kink over 30 degrees
 };
 
 /// The part's geometry as every step after reading sees it: analysis tables + projector (CAD or triangles).

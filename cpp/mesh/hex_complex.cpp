@@ -19,8 +19,7 @@ std::vector<std::array<int, 2>> boundary_faces(const HexComplex& complex) {
       std::sort(k.nodes.begin(), k.nodes.end());
       keys.push_back(k);
     }
-  std::sort(keys.begin(), keys.end(),
-            [](const Key& a, const Key& b) { return a.nodes != b.nodes ? a.nodes < b.nodes : a.face < b.face; });
+  std::sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) { return a.nodes != b.nodes ? a.nodes < b.nodes : a.face < b.face; });
   std::vector<int> single;
   for (std::size_t i = 0; i < keys.size();) {
     std::size_t j = i + 1;

@@ -50,8 +50,10 @@ void connect(SurfaceMesh& mesh) {
   };
   for (int i = 0; i < n; i += 2) {
     const Key& k = keys[i];
-    if (i + 1 >= n || keys[i + 1].lo != k.lo || keys[i + 1].hi != k.hi) fail("the surface has a hole (a triangle edge with one side)", k.halfedge);
-    if (i + 2 < n && keys[i + 2].lo == k.lo && keys[i + 2].hi == k.hi) fail("a triangle edge belongs to more than two triangles", k.halfedge);
+    if (i + 1 >= n || keys[i + 1].lo != k.lo || keys[i + 1].hi != k.hi)
+      fail("the surface has a hole (a triangle edge with one side)", k.halfedge);
+    if (i + 2 < n && keys[i + 2].lo == k.lo && keys[i + 2].hi == k.hi)
+      fail("a triangle edge belongs to more than two triangles", k.halfedge);
     const int g = keys[i + 1].halfedge;
     if (mesh.from(k.halfedge) == mesh.from(g)) fail("neighbouring triangles are oriented against each other", k.halfedge);
     mesh.opposite[k.halfedge] = g;

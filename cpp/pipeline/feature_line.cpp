@@ -118,7 +118,8 @@ std::vector<int> edges_to_release(const HexComplex& complex, const Geometry& geo
 }
 
 /// Boundary fitting, sheets and smoothing; where elements stay inverted, again without the inner CAD edges beside them.
-HexComplex fit_and_smooth(const HexComplex& lattice, const SurfaceMesh& mesh, const FeatureShape& shape, const Geometry& geometry, Run& run) {
+HexComplex fit_and_smooth(const HexComplex& lattice, const SurfaceMesh& mesh, const FeatureShape& shape, const Geometry& geometry,
+                          Run& run) {
   constexpr int kRounds = 6;
   FitOptions fit;
   fit.size = run.options.size;

@@ -94,7 +94,8 @@ Result mesh_read_part(const Options& options, Context& context, const Read& read
   Result result;
   result.options = options;
   if (options.time_limit > 0)
-    context.deadline = Context::Clock::now() + std::chrono::duration_cast<Context::Clock::duration>(std::chrono::duration<double>(options.time_limit));
+    context.deadline =
+        Context::Clock::now() + std::chrono::duration_cast<Context::Clock::duration>(std::chrono::duration<double>(options.time_limit));
   Run run(result.options, context, result);
   try {
     run.begin("read");

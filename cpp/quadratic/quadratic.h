@@ -15,11 +15,11 @@ namespace hexfeature {
 /// 0-7 corners; 8-11 mid-sides of 0-1 1-2 2-3 3-0; 12-15 of 4-5 5-6 6-7 7-4; 16-19 of 0-4 1-5 2-6 3-7.
 /// Quads: 0-3 corners, 4-7 mid-sides of 0-1 1-2 2-3 3-0.
 struct QuadraticMesh {
-  std::vector<Vec3> mid_points;   ///< node numbers continue after the complex' points
+  std::vector<Vec3> mid_points;  ///< node numbers continue after the complex' points
   std::vector<CadPlace> mid_place;
   std::vector<std::array<int, 20>> hexes;
   std::vector<std::array<int, 8>> quads;
-  int straightened = 0;           ///< boundary mid-side nodes moved back towards the chord, because an element would turn bad
+  int straightened = 0;  ///< boundary mid-side nodes moved back towards the chord, because an element would turn bad
 };
 
 /// Put mid-side nodes on the CAD: on the curve of a feature edge, on the face of a boundary edge, else at the chord's

@@ -28,9 +28,9 @@ struct FeatureShape {
     std::vector<int> cad_faces;  ///< sorted, 1-based
   };
   struct Arc {
-    int axis = -1;      ///< the axis that is neither of its charts' (the paper's Table 2); -1 when they share one
-    int sign = 0;       ///< +1: start -> end runs along +axis; -1 against; from geometry, corrected by validity
-    double length = 0;  ///< of the polyline
+    int axis = -1;                     ///< the axis that is neither of its charts' (the paper's Table 2); -1 when they share one
+    int sign = 0;                      ///< +1: start -> end runs along +axis; -1 against; from geometry, corrected by validity
+    double length = 0;                 ///< of the polyline
     Vec3 displacement = Vec3::Zero();  ///< end - start
     Vec3 centroid = Vec3::Zero();      ///< of the polyline
     double dihedral = 0;               ///< length-weighted mean signed dihedral (SurfaceMesh::dihedral)

@@ -38,7 +38,11 @@ std::vector<Violation> check_paper_conditions(const FeatureShape& shape) {
         if (here == kNoLabel) continue;
         runs[here] = true;
         if (loop.size() > 1 && then == opposite(here))
-          violations.push_back({4, 1, "consecutive feature lines run in opposite directions", {c}, {loop[i] / 2, loop[(i + 1) % loop.size()] / 2},
+          violations.push_back({4,
+                                1,
+                                "consecutive feature lines run in opposite directions",
+                                {c},
+                                {loop[i] / 2, loop[(i + 1) % loop.size()] / 2},
                                 {shape.cells.end_of(loop[i])}});
       }
     for (int l = 0; l < 6; ++l)

@@ -14,10 +14,10 @@ namespace hexfeature {
 /// (left: seen from outside the solid).
 struct Partition {
   struct Edge {
-    int left = -1, right = -1;  ///< parts
-    int start = -1, end = -1;   ///< nodes; -1 when closed without a node
-    std::vector<int> vertices;  ///< mesh points from start to end; closed: first == last
-    std::vector<int> halfedges; ///< of the left part's triangles, in order
+    int left = -1, right = -1;   ///< parts
+    int start = -1, end = -1;    ///< nodes; -1 when closed without a node
+    std::vector<int> vertices;   ///< mesh points from start to end; closed: first == last
+    std::vector<int> halfedges;  ///< of the left part's triangles, in order
   };
   struct Node {
     int vertex = -1;         ///< mesh point
@@ -44,6 +44,7 @@ Partition make_partition(const SurfaceMesh& mesh, const std::vector<int>& triang
 
 /// Number the connected components of equal value (over triangle adjacency), in order of first triangle.
 /// With `barrier_edges`, no component crosses a halfedge for which it is true (may be empty).
-std::vector<int> connected_components(const SurfaceMesh& mesh, const std::vector<int>& value, const std::vector<char>& barrier_halfedge = {});
+std::vector<int> connected_components(const SurfaceMesh& mesh, const std::vector<int>& value,
+                                      const std::vector<char>& barrier_halfedge = {});
 
 }  // namespace hexfeature

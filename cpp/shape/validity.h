@@ -9,7 +9,7 @@ namespace hexfeature {
 
 /// One violated condition, with what it blames. V1..V4 are combinatorial (design 3.4); V5 and V6 need the filled lattice.
 struct Violation {
-  int condition = 0;         ///< 1 opposite or equal axes share a border, loop without corners; 2 corner; 3 turning number; 4 arc monotone / cycle
+  int condition = 0;  ///< 1 opposite or equal axes share a border, loop without corners; 2 corner; 3 turning number; 4 arc monotone / cycle
   double weight = 1;
   std::string reason;
   std::vector<int> charts, arcs, corners;

@@ -89,7 +89,8 @@ TEST_CASE("the paper's conditions 3 and 4") {
 
 TEST_CASE("noise is smoothed away by equations (1) and (2)") {
   auto solid = round_sphere(40, 1);
-  for (std::size_t i = 0; i < solid->mesh.points.size(); ++i) solid->mesh.points[i] *= 1 + 0.02 * std::sin(37.0 * static_cast<double>(i * i));
+  for (std::size_t i = 0; i < solid->mesh.points.size(); ++i)
+    solid->mesh.points[i] *= 1 + 0.02 * std::sin(37.0 * static_cast<double>(i * i));
   const auto r = label(solid->mesh, 0.3);
   CHECK(r.validity.valid());
   CHECK(r.adaptation.size() == solid->mesh.triangles.size());

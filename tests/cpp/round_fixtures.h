@@ -91,7 +91,10 @@ inline std::unique_ptr<RoundSolid> round_cylinder(int around, int along, double 
   for (int j = 0; j <= along; ++j)
     for (int i = 0; i < around; ++i) {
       const double t = phase + 2 * EIGEN_PI * i / around;
-      solid->add_point(Vec3(radius * std::cos(t), radius * std::sin(t), height * j / along), j % along == 0 ? 1 : 2, j == 0 ? 1 : j == along ? 2 : 1);
+      solid->add_point(Vec3(radius * std::cos(t), radius * std::sin(t), height * j / along), j % along == 0 ? 1 : 2,
+                       j == 0       ? 1
+                       : j == along ? 2
+                                    : 1);
     }
   for (int i = 0; i < around; ++i) {
     solid->add_triangle(bottom, ring(0, i + 1), ring(0, i), 2);
