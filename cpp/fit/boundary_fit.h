@@ -48,6 +48,8 @@ struct BoundaryFit {
   /// A face narrower than an element may own no quad: those that cover most of it take its number, unless they lie along a sharp
   /// edge of their own face.
   void cover_narrow_faces();
+  /// Throws MeshingError(NoMesh, "fit") when two nodes hold one CAD vertex: neither may move, so no smoothing can part them.
+  void require_own_vertices() const;
 
   HexComplex& complex;
   const SurfaceMesh& mesh;

@@ -3,8 +3,10 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <string>
 #include <utility>
 
+#include "base/error.h"
 #include "fit/boundary_fit.h"
 #include "fit/untangle2d.h"
 
@@ -19,6 +21,7 @@ void BoundaryFit::finish() {
   assign_faces();
   collect_feature_edges();
   cover_narrow_faces();
+  require_own_vertices();
 }
 
 void BoundaryFit::place_nodes() {
@@ -67,6 +70,25 @@ bool BoundaryFit::lies_on(int node, int edge) const {
   if (p.dim == 1) return p.entity == edge;
   const auto& ends = geometry.edge(edge).vertices;
   return p.dim == 0 && (p.entity == ends[0] || p.entity == ends[1]);
+}
+
+void BoundaryFit::require_own_vertices() const {
+  std::vector<int> holder(geometry.vertices->size() + 1, -1);
+  for (int n = 0; n < complex.point_count(); ++n) {
+    if (complex.place[n].dim != 0 || complex.place[n].entity <= 0) continue;
+    const int vertex = complex.place[n].entity;
+    if (holder[vertex] >= 0) {
+      std::vector<int> faces;
+      for (std::size_t q = 0; q < complex.quads.size(); ++q)
+        for (int v : complex.quads[q])
+          if (v == n || v == holder[vertex]) faces.push_back(complex.quad_face[q]);
+      std::sort(faces.begin(), faces.end());
+      faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+      throw MeshingError(Failure::NoMesh, "fit", "two mesh points would stand on CAD vertex " + std::to_string(vertex),
+                         "try another element size", faces);
+    }
+    holder[vertex] = n;
+  }
 }
 
 void BoundaryFit::assign_faces() {

@@ -2,6 +2,7 @@
 #include "pipeline/feature_line.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -117,24 +118,44 @@ std::vector<int> edges_to_release(const HexComplex& complex, const Geometry& geo
   return {first.begin(), first.end()};
 }
 
-/// Boundary fitting, sheets and smoothing; where elements stay inverted, again without the inner CAD edges beside them.
+/// CAD faces of the quads that share a point with an inverted element.
+std::vector<int> faces_near_inverted(const HexComplex& complex) {
+  std::vector<char> near(complex.points.size(), 0);
+  for (const auto& hex : complex.hexes)
+    if (!(scaled_jacobian(complex.points, hex) > 0))
+      for (int v : hex) near[v] = 1;
+  std::set<int> faces;
+  for (std::size_t q = 0; q < complex.quads.size(); ++q)
+    if (std::any_of(complex.quads[q].begin(), complex.quads[q].end(), [&](int v) { return near[v] != 0; }))
+      faces.insert(complex.quad_face[q]);
+  return {faces.begin(), faces.end()};
+}
+
+/// Boundary fitting, sheets and smoothing; where elements stay inverted, again without the inner CAD edges beside them, as long as
+/// that makes fewer. Throws MeshingError(NoMesh, "smooth") when some stay.
 HexComplex fit_and_smooth(const HexComplex& lattice, const SurfaceMesh& mesh, const FeatureShape& shape, const Geometry& geometry,
                           Run& run) {
   constexpr int kRounds = 6;
   FitOptions fit;
   fit.size = run.options.size;
   fit.smooth_edges = run.options.capture == "all";
-  for (int round = 1;; ++round) {
+  for (int round = 1, least = std::numeric_limits<int>::max();; ++round) {
     run.begin("fit");
     HexComplex complex = lattice;
     fit_boundary(complex, mesh, shape, geometry, fit, run.context);
     run.result.mesh = complex;
     run.complete();
     complex = smooth_with_sheets(complex, shape, geometry, run);
-    if (run.result.smoothing.inverted == 0 || round == kRounds) return complex;
+    const int inverted = run.result.smoothing.inverted;
+    if (inverted == 0) return complex;
     std::vector<int> released = fit.released;
     for (int e : edges_to_release(complex, geometry)) released.push_back(e);
-    if (released.size() == fit.released.size()) return complex;
+    if (round == kRounds || inverted >= least || released.size() == fit.released.size()) {
+      run.result.mesh = complex;
+      throw MeshingError(Failure::NoMesh, "smooth", std::to_string(inverted) + " elements stay inverted or folded",
+                         "try another element size, or simplify the faces named", faces_near_inverted(complex));
+    }
+    least = inverted;
     std::sort(released.begin(), released.end());
     fit.released = std::move(released);
   }

@@ -46,6 +46,25 @@ class Best {
   double peak_ = -2;
 };
 
+/// Tells when the soft rounds lead nowhere: neither fewer elements are inverted on the CAD, nor is the worst of them better.
+class Standstill {
+ public:
+  bool after(const Grade& snapped) {
+    constexpr int kPatience = 5;
+    constexpr double kGain = 0.02;
+    const bool fewer = snapped.inverted < least_inverted_;
+    const bool better = snapped.inverted == least_inverted_ && snapped.min_sj > best_sj_ + kGain;
+    idle_ = fewer || better ? 0 : idle_ + 1;
+    if (fewer || better) best_sj_ = snapped.min_sj;
+    least_inverted_ = std::min(least_inverted_, snapped.inverted);
+    return idle_ >= kPatience;
+  }
+
+ private:
+  int least_inverted_ = std::numeric_limits<int>::max(), idle_ = 0;
+  double best_sj_ = -2;
+};
+
 }  // namespace
 
 int untangle_softly(Patch& patch) {
@@ -56,13 +75,15 @@ int untangle_softly(Patch& patch) {
   terms.epsilon_squared = std::numeric_limits<double>::infinity();
   Lbfgs descent(static_cast<int>(patch.x.size()), patch.setting.workers);
   std::vector<double> snapped;
+  Standstill standstill;
   for (int round = 0; round < options.untangle_rounds; ++round) {
     const double deviation = patch.boundary->find_feet(patch.x);
     const Grade grade = patch.grade();
     if (grade.min_sj > 0.05 && deviation < 0.02 * h) return round;
     snapped = patch.x;
     patch.boundary->place_on_feet(snapped);
-    if (patch.grade(snapped).inverted == 0) return round;
+    const Grade on_cad = patch.grade(snapped);
+    if (on_cad.inverted == 0 || standstill.after(on_cad)) return round;
     lower_epsilon(terms, worst_determinant(patch, terms));
     PatchObjective objective(patch, terms, 200 * std::pow(3.0, std::min(round, 6)));
     objective.drift_limit = 0.3 * h;

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "base/error.h"
 #include "part_fixtures.h"
 
 using namespace hexfeature;
@@ -186,4 +187,20 @@ TEST_CASE("quads beside a sharp edge lie on that edge's face, also next to a tan
     CHECK((mesh.quad_face[q] == faces[0] || mesh.quad_face[q] == faces[1]));
   }
   CHECK(checked > 20);
+}
+
+TEST_CASE("two corners on one CAD vertex are refused at once") {
+  VoxelPart part;
+  make_part(part, unit_box(), 3, 2, straight);
+  const int a = part.shape.cells.nodes[0].vertex, b = part.shape.cells.nodes[1].vertex;
+  REQUIRE(part.surface.mesh.place[a].dim == 0);
+  part.surface.mesh.place[b] = part.surface.mesh.place[a];
+  try {
+    fitted(part, 0.5);
+    FAIL("no error");
+  } catch (const MeshingError& error) {
+    CHECK(error.kind == Failure::NoMesh);
+    CHECK(error.step == "fit");
+    CHECK(!error.cad_faces.empty());
+  }
 }

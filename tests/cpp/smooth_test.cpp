@@ -142,6 +142,20 @@ TEST_CASE("a collapsed inside becomes a box again") {
   CHECK(r.min_sj > 0.5);
 }
 
+TEST_CASE("what cannot be untangled is given up early") {
+  // Two fixed corners of a box have changed places.
+  HexComplex c = box_mesh({4, 4, 4}, Vec3(4, 4, 4));
+  std::vector<int> corners;
+  for (int v = 0; v < c.point_count(); ++v)
+    if (c.place[v].dim == 0) corners.push_back(v);
+  REQUIRE(corners.size() == 8);
+  std::swap(c.points[corners[0]], c.points[corners[1]]);
+  std::swap(c.place[corners[0]], c.place[corners[1]]);
+  const SmoothReport r = timed("swapped corners", c, BoxProjector(Vec3(4, 4, 4)), sized(1));
+  CHECK(r.inverted > 0);
+  CHECK(r.rounds < 20);
+}
+
 TEST_CASE("nodes on faces and edges slide back") {
   HexComplex c = box_mesh({6, 6, 6}, Vec3(6, 6, 6));
   const BoxProjector box(Vec3(6, 6, 6));
