@@ -12,7 +12,7 @@ namespace hexfeature {
 const std::vector<OptionSpec>& option_list() {
   static const std::vector<OptionSpec> list = {
       {"size", &Options::size, 0, 1e12, {}, false, "element size in the part's unit; 0 chooses one from the part's volume"},
-      {"method", &Options::method, 0, 0, {"auto", "feature-line"}, false, "meshing method; auto tries them in order"},
+      {"method", &Options::method, 0, 0, {"auto", "feature-line", "tet-split"}, false, "meshing method; auto tries them in order"},
       {"order", &Options::order, 1, 2, {}, false, "1: 8-node hexahedra, 2: 20-node hexahedra"},
       {"labels", &Options::labels, 0, 0, {"regions", "paper"}, false, "labeller: on CAD regions, or the paper's on triangles"},
       {"capture", &Options::capture, 0, 0, {"sharp", "all"}, false, "CAD edges that mesh edges follow: sharp ones, or all"},

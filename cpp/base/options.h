@@ -10,7 +10,7 @@ namespace hexfeature {
 /// made from `option_list()`.
 struct Options {
   double size = 0;                 ///< element size h, in the part's unit; 0: chosen from the part's volume
-  std::string method = "auto";     ///< auto | feature-line
+  std::string method = "auto";     ///< auto (all in order, the best mesh is kept) | feature-line | tet-split
   std::string labels = "regions";  ///< regions (default labeller) | paper (the paper's own)
   int order = 1;                   ///< 1: 8-node, 2: 20-node hexahedra
   std::string capture = "all";     ///< CAD edges that mesh edges follow: sharp | all (tangent ones too, where a cheap path exists)

@@ -1,9 +1,43 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #include "pipeline/faithfulness.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/triangle_tree.h"
+
 namespace hexfeature {
 
-Faithfulness measure_faithfulness(const HexComplex& mesh, const Geometry& geometry, int solid) {
+namespace {
+
+/// Longest distance from the sampled faces to the quads of their own face, per face.
+std::vector<double> gaps(const HexComplex& mesh, const SurfaceMesh& surface, int faces) {
+  SurfaceMesh quads;
+  quads.points = mesh.points;
+  for (std::size_t q = 0; q < mesh.quads.size(); ++q) {
+    const auto& v = mesh.quads[q];
+    quads.triangles.push_back({v[0], v[1], v[2]});
+    quads.triangles.push_back({v[0], v[2], v[3]});
+  }
+  std::vector<double> gap(faces + 1, 0);
+  if (quads.triangles.empty()) return gap;
+  const TriangleTree tree(quads);
+  const auto look = [&](int face, const Vec3& p) {
+    const ClosestPoint c = tree.closest_if(p, [&](int t) { return mesh.quad_face[t / 2] == face; });
+    if (c.triangle >= 0) gap[face] = std::max(gap[face], std::sqrt(c.distance2));
+  };
+  for (int t = 0; t < surface.triangle_count(); ++t) {
+    const int face = surface.triangle_face[t];
+    if (face <= 0) continue;
+    look(face, surface.centroid(t));
+    for (int v : surface.triangles[t]) look(face, surface.points[v]);
+  }
+  return gap;
+}
+
+}  // namespace
+
+Faithfulness measure_faithfulness(const HexComplex& mesh, const Geometry& geometry, int solid, const SurfaceMesh* surface, double size) {
   // Chords are shorter than the curve: a full circle followed by four edges keeps 90% of its length.
   constexpr double kCovered = 0.85;
   Faithfulness result;
@@ -31,6 +65,29 @@ Faithfulness measure_faithfulness(const HexComplex& mesh, const Geometry& geomet
     result.sharp_edges_not_followed.push_back(id);
   }
   if (total > 0) result.lost_length = lost / total;
+
+  std::vector<char> has_node(geometry.vertices->size() + 1, 0);
+  for (const CadPlace& place : mesh.place)
+    if (place.dim == 0) has_node[place.entity] = 1;
+  for (int id = 1; id <= static_cast<int>(geometry.vertices->size()); ++id) {
+    const CadVertex& vertex = geometry.vertex(id);
+    if (!vertex.hard || has_node[id] || vertex.edges.empty() || !of_solid(geometry.edge(vertex.edges[0]).faces[0])) continue;
+    // A neighbour may stand in for it: CAD edges much shorter than an element vanish.
+    constexpr double kNear = 0.02;
+    const bool near = std::any_of(mesh.quads.begin(), mesh.quads.end(), [&](const auto& quad) {
+      return std::any_of(quad.begin(), quad.end(), [&](int v) { return (mesh.points[v] - vertex.point).norm() < kNear * size; });
+    });
+    if (!near) result.corners_lost.push_back(id);
+  }
+
+  if (surface != nullptr) {
+    constexpr double kLargestGap = 0.5;
+    const std::vector<double> gap = gaps(mesh, *surface, faces);
+    for (int f = 1; f <= faces; ++f) {
+      result.largest_gap = std::max(result.largest_gap, gap[f]);
+      if (gap[f] > kLargestGap * size) result.faces_not_covered.push_back(f);
+    }
+  }
   return result;
 }
 

@@ -4,18 +4,25 @@
 
 #include "mesh/geometry.h"
 #include "mesh/hex_complex.h"
+#include "mesh/surface_mesh.h"
 
 namespace hexfeature {
 
-/// What a mesh kept of the CAD model's faces and sharp edges.
+/// What a mesh kept of the CAD model's faces, sharp edges and corners.
 struct Faithfulness {
   std::vector<int> faces_without_quads;       ///< 1-based CAD faces of the solid
+  std::vector<int> faces_not_covered;         ///< ... parts of which are farther than half an element from the face's own quads
   std::vector<int> sharp_edges_not_followed;  ///< 1-based sharp CAD edges whose chain of mesh edges is missing or has gaps
+  std::vector<int> corners_lost;              ///< 1-based hard CAD vertices without a node
   double lost_length = 0;                     ///< share of the sharp edges' length that those make up, 0..1
-  bool complete() const { return faces_without_quads.empty() && sharp_edges_not_followed.empty(); }
+  double largest_gap = 0;                     ///< longest distance from a point of a CAD face to the face's own quads
+  bool complete() const {
+    return faces_without_quads.empty() && faces_not_covered.empty() && sharp_edges_not_followed.empty() && corners_lost.empty();
+  }
 };
 
-/// `solid`: 1-based, or 0 for all solids.
-Faithfulness measure_faithfulness(const HexComplex& mesh, const Geometry& geometry, int solid);
+/// `surface` is the solid's surface mesh (the CAD, sampled), in the coordinates of `mesh`; null: gaps are not measured.
+/// `solid`: 1-based, or 0 for all solids. `size` is the element size h.
+Faithfulness measure_faithfulness(const HexComplex& mesh, const Geometry& geometry, int solid, const SurfaceMesh* surface, double size);
 
 }  // namespace hexfeature

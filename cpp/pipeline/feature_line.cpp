@@ -191,13 +191,7 @@ HexComplex feature_line(const SurfaceMesh& surface, const Geometry& geometry, in
   run.complete();
 
   run.begin("certificate");
-  Vec3 lo = mesh.points.front(), hi = lo;
-  for (const Vec3& p : mesh.points) {
-    lo = lo.cwiseMin(p);
-    hi = hi.cwiseMax(p);
-  }
-  const double tolerance = std::max(1e-8, 1e-9 * (hi - lo).norm());
-  certify(complex, *geometry.projector, static_cast<int>(geometry.faces->size()), tolerance, run.context);
+  certify(complex, *geometry.projector, static_cast<int>(geometry.faces->size()), certificate_tolerance(mesh), run.context);
   return complex;
 }
 

@@ -5,6 +5,15 @@
 
 namespace hexfeature {
 
+double certificate_tolerance(const SurfaceMesh& surface) {
+  Vec3 lo = surface.points.front(), hi = lo;
+  for (const Vec3& p : surface.points) {
+    lo = lo.cwiseMin(p);
+    hi = hi.cwiseMax(p);
+  }
+  return std::max(1e-8, 1e-9 * (hi - lo).norm());
+}
+
 void Run::begin(const std::string& step) {
   finish();
   step_ = step;

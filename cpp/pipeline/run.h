@@ -13,6 +13,9 @@ struct Stopped {
   std::string step;
 };
 
+/// How far boundary nodes may be from the CAD: 1e-8, or what double precision leaves of the part's size.
+double certificate_tolerance(const SurfaceMesh& surface);
+
 /// One run in progress: options, context, the result being filled, and the clock of its steps.
 class Run {
  public:

@@ -7,10 +7,10 @@
 
 namespace hexfeature {
 
-/// Mesh one solid: proposals (a working frame, and how strictly feature lines are judged) in order. The first mesh that is faithful
-/// and has no bad element ends the search; a certified mesh short of that gets one more proposal; the better one by the
-/// stated score is kept. Returns it in world coordinates, with the run's result describing it.
-/// Throws MeshingError(NoMesh) of the first proposal when none gives a certified mesh.
+/// Mesh one solid: the methods that the options allow, in order. The first mesh that is faithful and has no bad element ends the
+/// search; otherwise the best of all methods by `Worth` is kept. With a time limit each method but the last gets half of what is left.
+/// Returns the mesh in world coordinates, with the run's result describing it.
+/// Throws MeshingError(NoMesh) of the first method when none gives a certified mesh.
 HexComplex mesh_solid(Part& part, int solid, const std::vector<Mat3>& frames, Run& run);
 
 }  // namespace hexfeature

@@ -1,0 +1,97 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#include <algorithm>
+#include <optional>
+
+#include "pipeline/feature_line.h"
+#include "pipeline/method.h"
+
+namespace hexfeature {
+namespace {
+
+/// A certified but poor mesh of more elements than this is not tried again: the second look would cost as much as the first.
+constexpr int kSecondLook = 10000;
+
+struct Proposal {
+  int frame = 0;
+  LabelEffort effort;
+};
+
+/// The usual tolerance first; then feature lines that turn back are repaired early, which costs time and is needed rarely; the
+/// same in the next frame.
+std::vector<Proposal> make_proposals(int frames, const Options& options) {
+  constexpr double kStrict = 0.3, kStrictWork = 2e7;
+  std::vector<Proposal> proposals;
+  for (int f = 0; f < frames; ++f) {
+    proposals.push_back({f, {}});
+    if (options.labels == "regions") proposals.push_back({f, {kStrict, kStrictWork}});
+  }
+  return proposals;
+}
+
+}  // namespace
+
+Candidate mesh_by_feature_line(const SolidTask& task) {
+  Run& run = task.run;
+  Result& result = run.result;
+  Part& part = task.part;
+  std::optional<Candidate> best;
+  std::size_t best_attempt = 0;
+  const auto not_taken = [](Attempt& attempt) {
+    attempt.step = "quality";
+    attempt.reason = "the mesh of another labelling is better";
+  };
+  std::optional<MeshingError> first_failure;
+  int frame = -1;
+  for (const Proposal& proposal : make_proposals(static_cast<int>(task.frames.size()), run.options)) {
+    Attempt attempt;
+    attempt.method = "feature-line";
+    attempt.frame = proposal.frame;
+    const auto start = Context::Clock::now();
+    const bool second_chance = best.has_value();
+    try {
+      if (proposal.frame != frame) {
+        if (best) break;  // a poor mesh is tried again in its own frame only
+        frame = proposal.frame;
+        task.place(frame);
+      }
+      Candidate candidate;
+      candidate.method = attempt.method;
+      candidate.mesh = feature_line(result.surface, part.geometry(), task.solid, proposal.effort, run);
+      candidate.smoothing = result.smoothing;
+      candidate.worth = worth_of(candidate.mesh, candidate.smoothing, task);
+      if (best && !candidate.worth.better_than(best->worth)) {
+        not_taken(attempt);
+      } else {
+        if (best) not_taken(result.attempts[best_attempt]);
+        best_attempt = result.attempts.size();
+        for (Vec3& p : candidate.mesh.points) p = part.to_world(p);
+        candidate.labels = std::move(result.labels);
+        candidate.adaptation = std::move(result.adaptation);
+        candidate.polycube = std::move(result.polycube);
+        candidate.sheets = result.sheets;
+        candidate.rotation = result.rotation;
+        best = std::move(candidate);
+      }
+    } catch (const Stopped& stopped) {
+      // A lattice has integer coordinates; from the fit on, the mesh is of the placed part.
+      if (stopped.step == "fit" || stopped.step == "sheets" || stopped.step == "smooth")
+        for (Vec3& p : result.mesh.points) p = part.to_world(p);
+      throw;
+    } catch (const MeshingError& error) {
+      if (error.kind != Failure::NoMesh) throw;
+      attempt.step = error.step;
+      attempt.reason = error.reason;
+      attempt.hint = error.hint;
+      attempt.cad_faces = error.cad_faces;
+      run.context.log("feature-line, proposal " + std::to_string(result.attempts.size() + 1) + " gave up in step " + error.step + ": " +
+                      error.reason);
+      if (!first_failure) first_failure = error;
+    }
+    task.record(attempt, start);
+    if (best && (best->worth.good() || second_chance || best->mesh.hex_count() > kSecondLook)) break;
+  }
+  if (!best) throw *first_failure;
+  return std::move(*best);
+}
+
+}  // namespace hexfeature

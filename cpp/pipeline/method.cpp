@@ -1,0 +1,54 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#include "pipeline/method.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "pipeline/faithfulness.h"
+
+namespace hexfeature {
+
+bool Worth::better_than(const Worth& other) const {
+  if (faithful != other.faithful) return faithful;
+  if (!faithful && lost != other.lost) return lost < other.lost;
+  if (sound() != other.sound()) return sound();
+  // Above 0.6 the worst element is no longer what a user looks at.
+  constexpr double kFine = 0.6;
+  const double mine = std::min(min_sj, kFine) + mean_sj, others = std::min(other.min_sj, kFine) + other.mean_sj;
+  return mine > others;
+}
+
+Worth worth_of(const HexComplex& mesh, const SmoothReport& smoothing, const SolidTask& task) {
+  const Faithfulness kept =
+      measure_faithfulness(mesh, task.part.geometry(), task.solid, &task.run.result.surface, task.run.options.size);
+  Worth worth;
+  worth.faithful = kept.complete();
+  worth.lost = kept.lost_length + 0.025 * static_cast<double>(kept.faces_without_quads.size() + kept.faces_not_covered.size()) +
+               0.01 * static_cast<double>(kept.corners_lost.size());
+  worth.min_sj = smoothing.min_sj;
+  worth.mean_sj = smoothing.mean_sj;
+  return worth;
+}
+
+void SolidTask::place(int frame) const {
+  part.place(frames[frame]);
+  run.result.rotation = frames[frame];
+  run.result.centre = part.centre();
+  run.begin("surface");
+  run.result.surface = part.surface(run.options.size, run.context);
+  if (part.solid_count() > 1) run.result.surface = surface_of_solid(run.result.surface, part.geometry(), solid);
+  run.complete();
+}
+
+void SolidTask::record(Attempt attempt, Context::Clock::time_point start) const {
+  attempt.solid = solid;
+  attempt.seconds = std::chrono::duration<double>(Context::Clock::now() - start).count();
+  run.result.attempts.push_back(std::move(attempt));
+}
+
+const std::vector<Method>& all_methods() {
+  static const std::vector<Method> methods{{"feature-line", mesh_by_feature_line}, {"tet-split", mesh_by_tet_split}};
+  return methods;
+}
+
+}  // namespace hexfeature

@@ -1,0 +1,49 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#pragma once
+#include <vector>
+
+#include "base/context.h"
+#include "mesh/geometry.h"
+#include "mesh/surface_mesh.h"
+#include "mesh/triangle_tree.h"
+
+namespace hexfeature {
+
+struct SizeOptions {
+  double longest = 3;       ///< triangle edge length where nothing asks for less
+  double least = 0.5;       ///< narrow faces, short edges and thin walls ask for no less than this
+  double turn = 1.05;       ///< radians of curvature that one edge may span (six edges a turn)
+  double tight_turn = 1.5;  ///< ... where that would be less than `least` (four a turn)
+  double walls = 1.8;       ///< edge length over the thickness of a wall
+  double strips = 1.4;      ///< edge length over the width of a narrow face or the length of a short CAD edge
+  double grading = 0.35;    ///< the length grows by no more than this times the distance
+};
+
+/// Edge length that a triangulation should have, as a function of the place on the surface: from curvature, the width of faces,
+/// the length of CAD edges and the thickness of walls, graded. Length unit: the part's.
+class SizeField {
+ public:
+  /// `mesh` must be fine enough to show all that (about the element size); it is copied.
+  SizeField(const SurfaceMesh& mesh, const Geometry& geometry, const SizeOptions& options, Context& context);
+
+  /// At the point of the surface nearest to p.
+  double at(const Vec3& p) const;
+  /// Ask for `factor` times the present length within about one such length of each point; then graded again.
+  void refine(const std::vector<Vec3>& near, double factor);
+  void scale(double factor);
+
+ private:
+  void follow_curvature(const SizeOptions& options);
+  void follow_strips(const SizeOptions& options);
+  void follow_walls(const SizeOptions& options, Context& context);
+  void grade();
+  void lower(int v, double length) { length_[v] = std::min(length_[v], length); }
+
+  SurfaceMesh mesh_;
+  const Geometry geometry_;
+  TriangleTree tree_;
+  std::vector<double> length_;  ///< per point of mesh_
+  double grading_;
+};
+
+}  // namespace hexfeature

@@ -1,0 +1,95 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#include "tetsplit/tet_split.h"
+
+#include <cmath>
+#include <optional>
+
+#include "mesh/hex_element.h"
+#include "tetsplit/relief.h"
+#include "tetsplit/remesh.h"
+#include "tetsplit/size_field.h"
+#include "tetsplit/split.h"
+#include "tetsplit/tetrahedra.h"
+
+namespace hexfeature {
+namespace {
+
+/// Edge length of a tetrahedron that becomes four hexahedra of volume h^3: about 0.1 of its cube is the volume of an average one.
+constexpr double kTetEdge = 3.2;
+/// CAD edges shorter than this many h may vanish; what is lost is less than any node's tolerance.
+constexpr double kTiny = 0.01;
+
+std::vector<Vec3> bad_places(const HexComplex& mesh, double limit) {
+  std::vector<Vec3> places;
+  for (const auto& hex : mesh.hexes) {
+    if (scaled_jacobian(mesh.points, hex) >= limit && proves_positive(mesh.points, hex)) continue;
+    Vec3 centre = Vec3::Zero();
+    for (int v : hex) centre += mesh.points[v] / 8;
+    places.push_back(centre);
+  }
+  return places;
+}
+
+}  // namespace
+
+HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const TetSplitOptions& options, Context& context,
+                     TetSplitReport& report) {
+  constexpr double kFiner = 0.6;
+  const double h = options.size;
+  context.progress("tet-split", 0);
+  SizeOptions sizes;
+  sizes.longest = kTetEdge * h;
+  sizes.least = 0.7 * h;
+  Remesher fine(surface, geometry, kTiny * h);
+  fine.refine([&](const Vec3&) { return h; }, context);
+  SizeField field(fine.result(), geometry, sizes, context);
+
+  SmoothOptions smoothing;
+  smoothing.size = h;
+  smoothing.threads = options.threads;
+  std::optional<HexComplex> best;
+  std::optional<MeshingError> failure;
+  for (int attempt = 0; attempt < options.attempts; ++attempt) {
+    ++report.attempts;
+    try {
+      context.progress("tet-split", static_cast<double>(attempt) / options.attempts);
+      Remesher remesher(surface, geometry, kTiny * h);
+      remesher.remesh([&](const Vec3& p) { return field.at(p); }, 6, context);
+      remesher.cut_ears(context);
+      const SurfaceMesh triangles = remesher.result();
+      TetOptions filling;
+      filling.longest = sizes.longest;
+      filling.program = options.netgen;
+      TetMesh tets = fill_with_tetrahedra(triangles, filling, context);
+      relieve_boundary(tets, triangles, context);
+      HexComplex mesh = split_tetrahedra(tets, triangles, geometry);
+      const SmoothReport smoothed = smooth(mesh, *geometry.projector, smoothing, context);
+      context.log("tet-split, attempt " + std::to_string(attempt + 1) + ": " + std::to_string(triangles.triangle_count()) + " triangles, " +
+                  std::to_string(tets.tets.size()) + " tetrahedra, worst " + std::to_string(smoothed.min_sj) + ", inverted " +
+                  std::to_string(smoothed.inverted));
+      const bool better = !best || (smoothed.inverted != report.smoothing.inverted ? smoothed.inverted < report.smoothing.inverted
+                                                                                   : smoothed.min_sj > report.smoothing.min_sj);
+      if (better) {
+        report.smoothing = smoothed;
+        report.triangles = triangles.triangle_count();
+        report.tetrahedra = static_cast<int>(tets.tets.size());
+        best = mesh;
+      }
+      if (smoothed.inverted == 0 && smoothed.min_sj >= options.good_enough) break;
+      field.refine(bad_places(mesh, options.good_enough), kFiner);
+    } catch (const MeshingError& error) {
+      if (error.kind != Failure::NoMesh) throw;
+      context.log("tet-split, attempt " + std::to_string(attempt + 1) + " gave up in step " + error.step + ": " + error.reason);
+      failure = error;
+      field.scale(kFiner);
+    }
+  }
+  if (!best) throw *failure;
+  if (report.smoothing.inverted > 0)
+    throw MeshingError(Failure::NoMesh, "tet-split", std::to_string(report.smoothing.inverted) + " elements stay inverted",
+                       "try a smaller element size");
+  context.progress("tet-split", 1);
+  return std::move(*best);
+}
+
+}  // namespace hexfeature
