@@ -62,7 +62,7 @@ Patch::Patch(const HexComplex& mesh, const std::vector<char>& free_points, Smoot
     }
   std::vector<CadPlace> place;
   for (int v : nodes) {
-    free.push_back(free_points[v]);
+    free.push_back(free_points[v] && !setting.held[v]);
     place.push_back(mesh.place[v]);
     for (int a = 0; a < 3; ++a) x.push_back(mesh.points[v][a]);
   }

@@ -23,6 +23,7 @@ struct SmoothSetting {
   Workers& workers;
   std::vector<double> target;  ///< target size of each element of the mesh
   std::vector<Span> spans;     ///< the mesh's edges along CAD curves
+  std::vector<char> held;      ///< per point of the mesh: it never moves
 };
 
 /// How good a set of elements is.

@@ -23,14 +23,14 @@ void check_input(const HexComplex& mesh, const SmoothOptions& options) {
         throw MeshingError(Failure::NoMesh, "smooth", "an element refers to a point that does not exist");
 }
 
-/// Target size of each element: the cube root of its volume at the start, within [0.25, 1.2] h; where an element has an
+/// Target size of each element: the cube root of its volume at the start, within [least, 1.2] h; where an element has an
 /// inverted corner, the mean of its sound neighbours'.
-std::vector<double> target_sizes(const HexComplex& mesh, double h) {
+std::vector<double> target_sizes(const HexComplex& mesh, double h, double least) {
   std::vector<double> target(mesh.hexes.size(), 0.0), sum(mesh.points.size(), 0.0);
   std::vector<int> count(mesh.points.size(), 0);
   for (int i = 0; i < mesh.hex_count(); ++i) {
     if (!(scaled_jacobian(mesh.points, mesh.hexes[i]) > 0)) continue;
-    target[i] = std::clamp(std::cbrt(hex_volume(mesh.points, mesh.hexes[i])), 0.25 * h, 1.2 * h);
+    target[i] = std::clamp(std::cbrt(hex_volume(mesh.points, mesh.hexes[i])), least * h, 1.2 * h);
     for (int v : mesh.hexes[i]) sum[v] += target[i], ++count[v];
   }
   for (int i = 0; i < mesh.hex_count(); ++i) {
@@ -104,7 +104,14 @@ SmoothReport smooth(HexComplex& mesh, const Projector& projector, const SmoothOp
   SmoothReport report;
   if (mesh.hexes.empty()) return report;
   Workers workers(options.threads);
-  SmoothSetting setting{projector, options, context, workers, target_sizes(mesh, options.size), curve_spans(mesh, projector, options.size)};
+  SmoothSetting setting{projector,
+                        options,
+                        context,
+                        workers,
+                        target_sizes(mesh, options.size, options.least_target),
+                        curve_spans(mesh, projector, options.size),
+                        std::vector<char>(mesh.points.size(), 0)};
+  for (int v : options.held) setting.held[v] = 1;
   std::vector<double> quality;
   measure(mesh, workers, quality);
   const Grade before = grade_of(quality);

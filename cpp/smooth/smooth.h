@@ -1,5 +1,7 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #pragma once
+#include <vector>
+
 #include "base/context.h"
 #include "mesh/hex_complex.h"
 #include "mesh/projector.h"
@@ -12,6 +14,8 @@ struct SmoothOptions {
   int untangle_rounds = 20;  ///< soft rounds of <= 40 L-BFGS iterations
   bool worst_stage = true;   ///< the stage that lifts the worst element
   int threads = 2;           ///< results do not depend on it, bit for bit
+  double least_target = 0.25;  ///< elements want to be no smaller than this many h
+  std::vector<int> held;     ///< points that stay where they are; they must lie on their CAD entity already
 };
 
 struct SmoothReport {

@@ -24,6 +24,7 @@ Remesher::Remesher(const SurfaceMesh& mesh, const Geometry& geometry, double tin
       tiny_(tiny),
       points_(mesh.points),
       place_(mesh.place),
+      pinned_(mesh.points.size(), 0),
       out_(mesh.points.size(), -1),
       triangles_(mesh.triangles),
       face_(mesh.triangle_face),
@@ -94,6 +95,7 @@ void Remesher::split(int h, const LengthAt& length) {
   points_.push_back(point);
   place_.push_back(place);
   length_.push_back(length(point));
+  pinned_.push_back(0);
 
   const int tn = static_cast<int>(triangles_.size()), un = tn + 1;
   const Vec3 normal_b_t = normals_[hn], normal_b_u = normals_[g];
@@ -131,19 +133,20 @@ void Remesher::split(int h, const LengthAt& length) {
 
 bool Remesher::may_vanish(int h) const {
   const int a = from(h), b = to(h);
+  if (pinned_[a]) return false;
   if (place_[a].dim == 2) return true;
   if (edge_[h] == 0) return false;
   if (place_[a].dim == 1) return place_[b].dim <= 1;
   return place_[b].dim == 0 && geometry_.edge(edge_[h]).length < tiny_;
 }
 
-bool Remesher::collapse(int h) {
+bool Remesher::collapse(int h, bool forced) {
   // a -> b; triangles a b c and b a d vanish.
   const int a = from(h), b = to(h), g = opposite_[h];
   const int hn = next(h), hp = prev(h), gn = next(g), gp = prev(g);
   const int c = from(hp), d = from(gp);
-  if (c == d || (edge_[hn] > 0 && edge_[hp] > 0) || (edge_[gn] > 0 && edge_[gp] > 0)) return false;
-  const bool merges_vertices = place_[a].dim == 0;
+  if (c == d || (!forced && ((edge_[hn] > 0 && edge_[hp] > 0) || (edge_[gn] > 0 && edge_[gp] > 0)))) return false;
+  const bool any_length = forced || place_[a].dim == 0;
   circulate(next(g));  // ring of a, beginning with a -> d
   other_ring_ = ring_;
   circulate(hn);  // ring of b
@@ -168,10 +171,10 @@ bool Remesher::collapse(int h) {
     if (t == h / 3 || t == g / 3) continue;
     const int y = next(x), z = prev(x);
     after = std::min(after, shape(points_[b], points_[from(y)], points_[from(z)], normal_at_b(face_[t]), normals_[y], normals_[z]));
-    if (!merges_vertices && (points_[b] - points_[from(y)]).norm() > kLong * 0.5 * (length_[b] + length_[from(y)])) return false;
+    if (!any_length && (points_[b] - points_[from(y)]).norm() > kLong * 0.5 * (length_[b] + length_[from(y)])) return false;
     if (after < 0) return false;
   }
-  if (after < 0.3 && after < 0.9 * before) return false;
+  if (!forced && after < 0.3 && after < 0.9 * before) return false;
 
   for (int x : other_ring_) {
     const int t = x / 3;
@@ -199,7 +202,7 @@ bool Remesher::collapse(int h) {
   return true;
 }
 
-bool Remesher::flip(int h) {
+bool Remesher::flip(int h, bool forced) {
   // Triangles a b c and b a d become c d b and d c a.
   const int g = opposite_[h], t = h / 3, u = g / 3;
   if (edge_[h] > 0 || face_[t] != face_[u]) return false;
@@ -209,7 +212,7 @@ bool Remesher::flip(int h) {
   const double before = std::min(shape(t), shape(u));
   const Vec3 na = normals_[h], nb = normals_[hn], nc = normals_[hp], nd = normals_[gp];
   const double after = std::min(shape(points_[c], points_[d], points_[b], nc, nd, nb), shape(points_[d], points_[c], points_[a], nd, nc, na));
-  if (after < 0 || after < 1.05 * before) return false;
+  if (after < 0 || (!forced && after < 1.05 * before)) return false;
   circulate(hp);
   for (int x : ring_)
     if (to(x) == d) return false;
@@ -242,7 +245,7 @@ bool Remesher::flip(int h) {
 }
 
 bool Remesher::slide(int v, const LengthAt& length) {
-  if (place_[v].dim == 0) return false;
+  if (place_[v].dim == 0 || pinned_[v]) return false;
   circulate(out_[v]);
   CadPlace place = place_[v];
   Vec3 point;
@@ -374,7 +377,125 @@ void Remesher::cut_ears(Context& context) {
     if (out_[v] >= 0 && place_[v].dim == 2) slide(v, as_before);
 }
 
-SurfaceMesh Remesher::result() const {
+int Remesher::find(int a, int b) {
+  circulate(out_[a]);
+  for (int h : ring_)
+    if (to(h) == b) return h;
+  return -1;
+}
+
+bool Remesher::cut_tip(int h, int g, double width) {
+  // Outgoing along the two CAD edges; the tip's face is to the left of h and to the right of g.
+  const LengthAt as_before = [](const Vec3&) { return 1.0; };
+  const int tip = from(h), face = face_[h / 3];
+  const std::array<int, 2> cad{edge_[h], edge_[g]};
+  const double most = std::min(geometry_.edge(cad[0]).length, geometry_.edge(cad[1]).length) / 12;
+  // How far the tip is narrower than `width`: steps along the first edge.
+  const Vec3 apex = points_[tip];
+  const auto gap_at = [&](double s, Vec3& first, Vec3& second) {
+    // The chord direction is good enough to start the projection from.
+    const CurvePoint a = geometry_.projector->project_to_edge(cad[0], apex + s * (points_[to(h)] - apex).normalized(), nullptr);
+    const CurvePoint b = geometry_.projector->project_to_edge(cad[1], a.point, nullptr);
+    first = a.point;
+    second = b.point;
+    return (a.point - b.point).norm();
+  };
+  double length = 0;
+  Vec3 first, second;
+  for (double s = 0.02 * most; s <= most && gap_at(s, first, second) < width; s += 0.02 * most) length = s;
+  if (length < 5 * width) return false;
+
+  // Short mesh edges along both, as far as the tip goes and one farther.
+  const auto follow = [&](int x, int side) {  // the next halfedge along the CAD edge, -1 at its end
+    if (place_[to(x)].dim != 1) return -1;
+    circulate(out_[to(x)]);
+    for (int y : ring_)
+      if (edge_[y] == cad[side] && to(y) != from(x)) return y;
+    return -1;
+  };
+  for (int side = 0; side < 2; ++side) {
+    int start = tip, target = side == 0 ? to(h) : to(g);
+    while (start >= 0 && (points_[start] - apex).norm() < length) {
+      int x = find(start, target);
+      for (int guard = 0; guard < 20 && edge_length(x) > 0.12 * length; ++guard) {
+        split(x, as_before);
+        x = find(start, static_cast<int>(points_.size()) - 1);
+      }
+      const int y = follow(x, side);
+      start = y < 0 ? -1 : to(x);
+      if (y >= 0) target = to(y);
+    }
+  }
+  // Zip the two together, pair by pair, from the tip on.
+  int at = tip, zipped = 0, skipped = 0;
+  std::array<int, 2> end{-1, -1};
+  for (;;) {
+    circulate(out_[at]);
+    for (int side = 0; side < 2; ++side) {
+      end[side] = -1;
+      for (int y : ring_)
+        if (edge_[y] == cad[side] && (place_[to(y)].dim == 1) && (points_[to(y)] - apex).norm() > (points_[at] - apex).norm()) end[side] = to(y);
+      if (end[side] < 0) return zipped > 0;
+    }
+    const double gap = (geometry_.projector->project_to_edge(cad[1], points_[end[0]], nullptr).point - points_[end[0]]).norm();
+    if ((points_[end[0]] - apex).norm() > length || gap > width) break;
+    // A point that the other edge has no partner for is not needed.
+    const double reach[2] = {(points_[end[0]] - apex).norm(), (points_[end[1]] - apex).norm()};
+    const int nearer = reach[0] < reach[1] ? 0 : 1;
+    if (reach[1 - nearer] - reach[nearer] > 0.05 * length && collapse(find(end[nearer], at), true)) continue;
+    // One triangle between the two: flip away what is in between, whichever edge lets itself.
+    const auto flip_one_between = [&] {
+      circulate(out_[at]);
+      std::rotate(ring_.begin(), std::find_if(ring_.begin(), ring_.end(), [&](int y) { return to(y) == end[0]; }), ring_.end());
+      std::vector<int> fan;
+      for (std::size_t i = 1; i < ring_.size() && to(ring_[i]) != end[1]; ++i) fan.push_back(to(ring_[i]));
+      return std::any_of(fan.begin(), fan.end(), [&](int v) { return flip(find(at, v), true); });
+    };
+    bool one = to(next(find(at, end[0]))) == end[1];
+    for (int guard = 0; !one && guard < 50 && flip_one_between(); ++guard) one = to(next(find(at, end[0]))) == end[1];
+    const int across = next(find(at, end[0]));
+    if (!one || face_[across / 3] != face || !collapse(opposite_[across], true)) {
+      // This pair will not meet; the next may.
+      if (++skipped < 8 && collapse(find(end[1], at), true)) continue;
+      return zipped > 0;
+    }
+    const int seam = find(at, end[0]);
+    edge_[seam] = edge_[opposite_[seam]] = cad[0];
+    pinned_[end[0]] = 1;
+    if (at != tip) pinned_[at] = 0;
+    at = end[0];
+    ++zipped;
+  }
+  return zipped > 0;
+}
+
+int Remesher::cut_tips(double width, Context& context) {
+  length_.resize(points_.size(), 1);
+  constexpr double kNarrow = 0.94;  // cosine of 20 degrees, between the first mesh edges
+  int count = 0;
+  for (int v = 0; v < static_cast<int>(points_.size()); ++v) {
+    if (out_[v] < 0 || place_[v].dim != 0) continue;
+    context.check();
+    circulate(out_[v]);
+    std::vector<int> along;
+    for (int h : ring_)
+      if (edge_[h] > 0) along.push_back(h);
+    for (std::size_t i = 0; i < along.size() && along.size() > 1; ++i) {
+      // The ring runs clockwise or not, whichever: the tip's face is left of one of the two and right of the other.
+      int h = along[i], g = along[(i + 1) % along.size()];
+      if (face_[h / 3] != face_[opposite_[g] / 3]) std::swap(h, g);
+      if (face_[h / 3] != face_[opposite_[g] / 3] || edge_[h] == edge_[g]) continue;
+      const Vec3 p = points_[to(h)] - points_[v], q = points_[to(g)] - points_[v];
+      if (p.dot(q) < kNarrow * p.norm() * q.norm()) continue;
+      if (!cut_tip(h, g, width)) continue;
+      ++count;
+      break;  // the ring is another now
+    }
+  }
+  return count;
+}
+
+SurfaceMesh Remesher::result(std::vector<int>* pinned) const {
   SurfaceMesh mesh;
   std::vector<int> point(points_.size(), -1);
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
@@ -386,6 +507,7 @@ SurfaceMesh Remesher::result() const {
         point[v] = mesh.point_count();
         mesh.points.push_back(points_[v]);
         mesh.place.push_back(place_[v]);
+        if (pinned != nullptr && pinned_[v]) pinned->push_back(point[v]);
       }
       triangle[k] = point[v];
       mesh.corner_normals.push_back(normals_[3 * t + k]);

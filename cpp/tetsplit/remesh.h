@@ -30,8 +30,13 @@ class Remesher {
   /// the third.
   void cut_ears(Context& context);
 
-  /// `halfedge_edge` names the CAD edges followed; no seams.
-  SurfaceMesh result() const;
+  /// Where a face runs out into a tip between two CAD edges that touch (a line and its tangent arc), no element can have an angle.
+  /// Such tips narrower than `width` are cut: the second edge ends on the first, at a point that stays. They are no longer than
+  /// a twelfth of either edge. Call on a mesh that is fine along CAD edges. Returns their number.
+  int cut_tips(double width, Context& context);
+
+  /// `halfedge_edge` names the CAD edges followed; no seams. `pinned`: the points where tips were cut.
+  SurfaceMesh result(std::vector<int>* pinned = nullptr) const;
 
  private:
   static int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
@@ -48,8 +53,10 @@ class Remesher {
   double shape(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& na, const Vec3& nb, const Vec3& nc) const;
   double shape(int t) const;
   void split(int h, const LengthAt& length);
-  bool collapse(int h);
-  bool flip(int h);
+  bool collapse(int h, bool forced = false);
+  bool flip(int h, bool forced = false);
+  bool cut_tip(int h, int g, double width);
+  int find(int a, int b);
   bool slide(int v, const LengthAt& length);
   bool may_vanish(int h) const;
   void split_long(double factor, const LengthAt& length, Context& context);
@@ -61,6 +68,7 @@ class Remesher {
   std::vector<Vec3> points_;
   std::vector<CadPlace> place_;
   std::vector<double> length_;                ///< wanted, per point
+  std::vector<char> pinned_;                  ///< per point: it never moves
   std::vector<int> out_;                      ///< per point: an outgoing halfedge, -1 when it is gone
   std::vector<std::array<int, 3>> triangles_;  ///< {-1, ..}: gone
   std::vector<int> face_;

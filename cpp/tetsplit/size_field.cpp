@@ -65,9 +65,8 @@ double SizeField::at(const Vec3& p) const {
 }
 
 void SizeField::follow_curvature(const SizeOptions& options) {
-  const auto length_of = [&](double curvature) {
-    const double radius = 1 / curvature;
-    return std::max(options.turn * radius, std::min(options.tight_turn * radius, options.least));
+  const auto length_of = [&](double curvature, double tight) {
+    return std::max(options.turn / curvature, std::min(tight / curvature, options.least));
   };
   // Of the faces: how fast the true normals turn along triangle edges.
   for (int h = 0; h < 3 * mesh_.triangle_count(); ++h) {
@@ -75,7 +74,7 @@ void SizeField::follow_curvature(const SizeOptions& options) {
     const double d = (mesh_.points[a] - mesh_.points[b]).norm();
     const double turn = (mesh_.corner_normals[h] - mesh_.corner_normals[SurfaceMesh::next(h)]).norm();
     if (!(d > 0) || turn < 1e-3) continue;
-    const double length = length_of(turn / d);
+    const double length = length_of(turn / d, options.tight_face);
     lower(a, length);
     lower(b, length);
   }
@@ -97,7 +96,7 @@ void SizeField::follow_curvature(const SizeOptions& options) {
     const Vec3 p = mesh_.points[n[0]] - mesh_.points[v], q = mesh_.points[n[1]] - mesh_.points[v];
     const double lengths = p.norm() * q.norm() * (p - q).norm();
     const double curvature = lengths > 0 ? 2 * p.cross(q).norm() / lengths : 0;
-    if (curvature * options.longest > 1e-3) lower(v, length_of(curvature));
+    if (curvature * options.longest > 1e-3) lower(v, length_of(curvature, options.tight_edge));
   }
 }
 
@@ -154,7 +153,7 @@ void SizeField::follow_walls(const SizeOptions& options, Context& context) {
       if (hit.entering || hit.triangle == t) continue;
       // A wall has two sides that look away from each other; the sides of a wedge meet anyway.
       if (mesh_.mean_normal(hit.triangle).dot(inward) < 0.7) break;
-      const double length = std::max(options.walls * hit.t, options.least);
+      const double length = std::max(options.walls * hit.t, options.least_wall);
       for (int v : mesh_.triangles[t]) lower(v, length);
       for (int v : mesh_.triangles[hit.triangle]) lower(v, length);
       break;
@@ -195,8 +194,10 @@ void SizeField::refine(const std::vector<Vec3>& near, double factor) {
   grade();
 }
 
-void SizeField::scale(double factor) {
-  for (double& length : length_) length *= factor;
+SizeField SizeField::scaled(double factor) const {
+  SizeField other = *this;
+  for (double& length : other.length_) length *= factor;
+  return other;
 }
 
 }  // namespace hexfeature

@@ -11,10 +11,12 @@ namespace hexfeature {
 
 struct SizeOptions {
   double longest = 3;       ///< triangle edge length where nothing asks for less
-  double least = 0.5;       ///< narrow faces, short edges and thin walls ask for no less than this
+  double least = 0.7;       ///< narrow faces, short edges and tight curvature ask for no less than this, as far as they can do with it
   double turn = 1.05;       ///< radians of curvature that one edge may span (six edges a turn)
-  double tight_turn = 1.5;  ///< ... where that would be less than `least` (four a turn)
+  double tight_edge = 1.4;  ///< ... on CAD edges where that would be less than `least`
+  double tight_face = 2.2;  ///< ... on faces where that would be less than `least`: a fillet is one strip of triangles
   double walls = 1.8;       ///< edge length over the thickness of a wall
+  double least_wall = 0.35;  ///< walls ask for no less than this
   double strips = 1.4;      ///< edge length over the width of a narrow face or the length of a short CAD edge
   double grading = 0.35;    ///< the length grows by no more than this times the distance
 };
@@ -30,7 +32,7 @@ class SizeField {
   double at(const Vec3& p) const;
   /// Ask for `factor` times the present length within about one such length of each point; then graded again.
   void refine(const std::vector<Vec3>& near, double factor);
-  void scale(double factor);
+  SizeField scaled(double factor) const;
 
  private:
   void follow_curvature(const SizeOptions& options);
@@ -40,7 +42,7 @@ class SizeField {
   void lower(int v, double length) { length_[v] = std::min(length_[v], length); }
 
   SurfaceMesh mesh_;
-  const Geometry geometry_;
+  Geometry geometry_;
   TriangleTree tree_;
   std::vector<double> length_;  ///< per point of mesh_
   double grading_;

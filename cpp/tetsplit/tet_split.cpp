@@ -18,6 +18,8 @@ namespace {
 constexpr double kTetEdge = 3.2;
 /// CAD edges shorter than this many h may vanish; what is lost is less than any node's tolerance.
 constexpr double kTiny = 0.01;
+/// Tips of faces are cut where they are narrower than this many h: well within what a sharp edge may stray.
+constexpr double kTipWidth = 0.06;
 
 std::vector<Vec3> bad_places(const HexComplex& mesh, double limit) {
   std::vector<Vec3> places;
@@ -34,35 +36,42 @@ std::vector<Vec3> bad_places(const HexComplex& mesh, double limit) {
 
 HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const TetSplitOptions& options, Context& context,
                      TetSplitReport& report) {
-  constexpr double kFiner = 0.6;
+  constexpr double kFiner = 0.6, kOtherwise = 0.85;
   const double h = options.size;
   context.progress("tet-split", 0);
   SizeOptions sizes;
   sizes.longest = kTetEdge * h;
   sizes.least = 0.7 * h;
+  sizes.least_wall = 0.35 * h;
   Remesher fine(surface, geometry, kTiny * h);
   fine.refine([&](const Vec3&) { return h; }, context);
-  SizeField field(fine.result(), geometry, sizes, context);
+  const int tips = fine.cut_tips(kTipWidth * h, context);
+  context.log("tet-split: " + std::to_string(tips) + " tips cut");
+  const SizeField base(fine.result(), geometry, sizes, context);
+  SizeField field = base;
 
   SmoothOptions smoothing;
   smoothing.size = h;
   smoothing.threads = options.threads;
+  smoothing.least_target = 0.02;
   std::optional<HexComplex> best;
   std::optional<MeshingError> failure;
   for (int attempt = 0; attempt < options.attempts; ++attempt) {
     ++report.attempts;
     try {
       context.progress("tet-split", static_cast<double>(attempt) / options.attempts);
-      Remesher remesher(surface, geometry, kTiny * h);
+      Remesher remesher = fine;
       remesher.remesh([&](const Vec3& p) { return field.at(p); }, 6, context);
       remesher.cut_ears(context);
-      const SurfaceMesh triangles = remesher.result();
+      std::vector<int> pinned;
+      const SurfaceMesh triangles = remesher.result(&pinned);
       TetOptions filling;
       filling.longest = sizes.longest;
       filling.program = options.netgen;
       TetMesh tets = fill_with_tetrahedra(triangles, filling, context);
       relieve_boundary(tets, triangles, context);
       HexComplex mesh = split_tetrahedra(tets, triangles, geometry);
+      smoothing.held = pinned;
       const SmoothReport smoothed = smooth(mesh, *geometry.projector, smoothing, context);
       context.log("tet-split, attempt " + std::to_string(attempt + 1) + ": " + std::to_string(triangles.triangle_count()) + " triangles, " +
                   std::to_string(tets.tets.size()) + " tetrahedra, worst " + std::to_string(smoothed.min_sj) + ", inverted " +
@@ -76,12 +85,16 @@ HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const
         best = mesh;
       }
       if (smoothed.inverted == 0 && smoothed.min_sj >= options.good_enough) break;
-      field.refine(bad_places(mesh, options.good_enough), kFiner);
+      // Once finer where it was bad; where that does not help (tips get worse by it), all a little finer: other elements meet there.
+      if (attempt % 2 == 0)
+        field.refine(bad_places(mesh, options.good_enough), kFiner);
+      else
+        field = base.scaled(std::pow(kOtherwise, (attempt + 1) / 2));
     } catch (const MeshingError& error) {
       if (error.kind != Failure::NoMesh) throw;
       context.log("tet-split, attempt " + std::to_string(attempt + 1) + " gave up in step " + error.step + ": " + error.reason);
       failure = error;
-      field.scale(kFiner);
+      field = field.scaled(kFiner);
     }
   }
   if (!best) throw *failure;
