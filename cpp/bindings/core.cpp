@@ -30,6 +30,11 @@ const char* name_of(Failure kind) {
   return "no_mesh";
 }
 
+/// Messages may quote a damaged file or a path that is not UTF-8.
+py::str text_of(const std::string& message) {
+  return py::reinterpret_steal<py::str>(PyUnicode_DecodeUTF8(message.data(), static_cast<py::ssize_t>(message.size()), "backslashreplace"));
+}
+
 Options options_from(const py::dict& values) {
   Options options;
   for (const auto& [key, value] : values) {
@@ -61,7 +66,7 @@ class PythonContext : public Context {
     if (!log.is_none())
       on_log = [f = log](const std::string& line) {
         py::gil_scoped_acquire gil;
-        f(line);
+        f(text_of(line));
       };
     is_cancelled = [this, f = cancelled] {
       const auto now = Clock::now();
@@ -123,11 +128,11 @@ PYBIND11_MODULE(_core, m) {
     try {
       if (p) std::rethrow_exception(p);
     } catch (const MeshingError& e) {
-      py::object error = py::reinterpret_borrow<py::object>(error_type)(e.what());
+      py::object error = py::reinterpret_borrow<py::object>(error_type)(text_of(e.what()));
       error.attr("kind") = name_of(e.kind);
       error.attr("step") = e.step;
-      error.attr("reason") = e.reason;
-      error.attr("hint") = e.hint;
+      error.attr("reason") = text_of(e.reason);
+      error.attr("hint") = text_of(e.hint);
       error.attr("cad_faces") = e.cad_faces;
       PyErr_SetObject(error_type, error.ptr());
     }
