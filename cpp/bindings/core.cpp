@@ -5,6 +5,9 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <new>
+#include <stdexcept>
+
 #include "bindings/convert.h"
 #include "pipeline/pipeline.h"
 #include "write/write.h"
@@ -87,10 +90,20 @@ std::shared_ptr<Result> run(const Mesh& mesh, const py::dict& values, const py::
                             const py::object& cancelled) {
   const Options options = options_from(values);
   PythonContext context(progress, log, cancelled);
+  context.limit_memory(static_cast<std::size_t>(options.memory_limit * 1e6));
   auto result = std::make_shared<Result>();
-  {
+  const auto out_of_memory = [&](const std::string& reason) {
+    return MeshingError(Failure::NoMesh, context.current_step(), reason, "use a larger size, or allow more memory");
+  };
+  try {
     py::gil_scoped_release release;
     *result = mesh(options, context);
+  } catch (const MemoryLimit&) {
+    throw out_of_memory("memory limit reached");
+  } catch (const std::bad_alloc&) {
+    throw out_of_memory("out of memory");
+  } catch (const std::length_error&) {  // a container of more elements than there can be bytes
+    throw out_of_memory("out of memory");
   }
   return result;
 }
@@ -175,7 +188,11 @@ PYBIND11_MODULE(_core, m) {
           "write",
           [](const Result& r, const std::string& path, const std::string& element_type) {
             py::gil_scoped_release release;
-            write_mesh({r.mesh, r.hexes20, r.quads8}, path, {element_type});
+            try {
+              write_mesh({r.mesh, r.hexes20, r.quads8}, path, {element_type});
+            } catch (const std::bad_alloc&) {
+              throw MeshingError(Failure::Output, "write", "cannot write '" + path + "': out of memory", "use a larger size");
+            }
           },
           py::arg("path"), py::arg("element_type") = "", "Write the mesh by the path's ending (writable_endings). Raises MeshingError.")
       .def(

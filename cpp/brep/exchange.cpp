@@ -6,7 +6,12 @@
 #include <Interface_Graph.hxx>
 #include <Interface_InterfaceModel.hxx>
 #include <STEPControl_Reader.hxx>
+#include <StepGeom_Curve.hxx>
+#include <StepGeom_Pcurve.hxx>
+#include <StepRepr_DefinitionalRepresentation.hxx>
 #include <StepRepr_RepresentationItem.hxx>
+#include <StepShape_ShapeRepresentation.hxx>
+#include <TCollection_HAsciiString.hxx>
 #include <algorithm>
 #include <cstdint>
 #include <fstream>
@@ -35,25 +40,35 @@ std::mutex& exchange_mutex() {  // OCCT's STEP and IGES readers have global stat
   return mutex;
 }
 
-/// A STEP entity that could not be loaded has null where its parts should be, and OCCT follows the null. Refused when a root needs it.
-void check_entities(STEPControl_Reader& reader, const std::string& path, int roots) {
+/// A curve on a surface is a representation whose first item must be that curve; the schema alone does not say so.
+bool lacks_its_curve(const Handle(Standard_Transient) & entity) {
+  const auto pcurve = Handle(StepGeom_Pcurve)::DownCast(entity);
+  if (pcurve.IsNull()) return false;
+  const auto reference = pcurve->ReferenceToCurve();
+  return reference.IsNull() || reference->Items().IsNull() || reference->NbItems() < 1 ||
+         !reference->ItemsValue(1)->IsKind(STANDARD_TYPE(StepGeom_Curve));
+}
+
+/// A STEP entity that could not be loaded has null where its parts should be, and OCCT follows the null. Refused when a shape needs it.
+void check_entities(STEPControl_Reader& reader, const std::string& path) {
   const Handle(Interface_InterfaceModel) model = reader.Model();
-  std::vector<Handle(Standard_Transient)> broken;
+  std::vector<Handle(Standard_Transient)> broken, shapes;
   for (int i = 1; i <= model->NbEntities(); ++i) {
     const Handle(Standard_Transient) entity = model->Value(i);
-    if (entity.IsNull() || !entity->IsKind(STANDARD_TYPE(StepRepr_RepresentationItem))) continue;
-    if (model->IsErrorEntity(i) || model->Check(i, Standard_True)->HasFailed()) broken.push_back(entity);
+    if (entity.IsNull()) continue;
+    if (entity->IsKind(STANDARD_TYPE(StepShape_ShapeRepresentation))) shapes.push_back(entity);
+    if (model->Check(i, Standard_True)->HasFailed() || lacks_its_curve(entity)) broken.push_back(entity);
   }
   if (broken.empty()) return;
   Interface_Graph graph(model, Standard_False);
-  for (int i = 1; i <= roots; ++i) graph.GetFromEntity(reader.RootForTransfer(i), Standard_True);
+  for (const auto& shape : shapes) graph.GetFromEntity(shape, Standard_True);
   for (const auto& entity : broken)
-    if (graph.IsPresent(graph.EntityNumber(entity)))
-      bad_input("'" + path + "' is damaged: entity #" + std::to_string(model->Number(entity)) + " (" + entity->DynamicType()->Name() +
+    if (entity->IsKind(STANDARD_TYPE(StepRepr_RepresentationItem)) && graph.IsPresent(graph.EntityNumber(entity)))
+      bad_input("'" + path + "' is damaged: entity " + model->StringLabel(entity)->ToCString() + " (" + entity->DynamicType()->Name() +
                     ") cannot be read",
                 "export or download the part again");
 }
-void check_entities(IGESControl_Reader&, const std::string&, int) {}
+void check_entities(IGESControl_Reader&, const std::string&) {}
 
 template <class Reader>
 TopoDS_Shape transfer(Reader& reader, const std::string& path, const std::string& kind, Context& context) {
@@ -63,7 +78,7 @@ TopoDS_Shape transfer(Reader& reader, const std::string& path, const std::string
     bad_input("'" + path + "' is not a readable " + kind + " file", "export the part again");
   context.check();
   const int roots = reader.NbRootsForTransfer();
-  check_entities(reader, path, roots);
+  check_entities(reader, path);
   Message_ProgressScope scope(indicator->Start(), "transfer", std::max(1, roots));
   for (int i = 1; i <= roots; ++i) {
     reader.TransferOneRoot(i, scope.Next());

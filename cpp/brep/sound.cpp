@@ -3,8 +3,10 @@
 
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
+#include <Geom2d_TrimmedCurve.hxx>
 #include <Geom_Curve.hxx>
 #include <Geom_Surface.hxx>
+#include <Geom_TrimmedCurve.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -23,12 +25,16 @@ namespace {
 constexpr double kFarthest = 1e15;  ///< no coordinate or parameter of a part is larger
 constexpr double kMostTurns = 100;  ///< periods that a parameter may be away from the first one
 
+using Trimmed3d = Handle(Geom_TrimmedCurve);
+using Trimmed2d = Handle(Geom2d_TrimmedCurve);
+
 bool sane(double x) { return std::abs(x) < kFarthest; }  // false for NaN, too
 bool sane(const gp_XYZ& p) { return sane(p.X()) && sane(p.Y()) && sane(p.Z()); }
 
 /// What is wrong with a curve over a range; empty when nothing is.
-template <class Curve>
-std::string fault_of(const Curve& curve, double first, double last) {
+template <class Trimmed, class Curve>
+std::string fault_of(Curve curve, double first, double last) {
+  for (auto trimmed = Trimmed::DownCast(curve); !trimmed.IsNull(); trimmed = Trimmed::DownCast(curve)) curve = trimmed->BasisCurve();
   if (!sane(first) || !sane(last)) return "an edge's parameters are not finite";
   if (!(first < last)) return "an edge has no length in its parameter";
   if (curve->IsPeriodic()) {
@@ -47,7 +53,7 @@ std::string fault_of(const TopoDS_Edge& edge) {
   const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
   if (!sane(BRep_Tool::Tolerance(edge))) return "an edge's tolerance is not finite";
   if (curve.IsNull()) return {};
-  if (std::string fault = fault_of(curve, first, last); !fault.empty()) return fault;
+  if (std::string fault = fault_of<Trimmed3d>(curve, first, last); !fault.empty()) return fault;
   for (const double t : {first, 0.5 * (first + last), last})
     if (!sane(curve->Value(t).XYZ())) return "an edge's curve is not finite";
   return {};
@@ -60,7 +66,7 @@ std::string fault_of(const TopoDS_Edge& edge, const TopoDS_Face& face, const Han
     double a = 0, b = 0;
     return BRep_Tool::Curve(edge, a, b).IsNull() ? "an edge has no curve" : "";
   }
-  if (std::string fault = fault_of(curve, first, last); !fault.empty()) return fault;
+  if (std::string fault = fault_of<Trimmed2d>(curve, first, last); !fault.empty()) return fault;
   for (const double t : {first, 0.5 * (first + last), last}) {
     const gp_Pnt2d uv = curve->Value(t);
     if (!sane(uv.X()) || !sane(uv.Y())) return "an edge's curve on the face is not finite";
