@@ -28,6 +28,7 @@ const std::vector<OptionSpec>& option_list() {
        true,
        "degrees; STL, OBJ and PLY surfaces are cut into faces at sharper creases"},
       {"time_limit", &Options::time_limit, 0, 1e9, {}, true, "seconds for the whole run; 0 sets no limit"},
+      {"memory_limit", &Options::memory_limit, 0, 1e9, {}, true, "megabytes of memory for the whole run; 0 sets no limit"},
       {"threads", &Options::threads, 1, 256, {}, true, "worker threads; the mesh does not depend on it"},
       {"stop_after",
        &Options::stop_after,

@@ -20,6 +20,7 @@ struct Options {
   int smoothing_rounds = 50;       ///< at most so many rounds of the paper's step 3-7b
   double crease_angle = 30;        ///< degrees: STL, OBJ, PLY surfaces are cut into faces at sharper creases
   double time_limit = 0;           ///< seconds for the whole run; 0: none
+  double memory_limit = 0;         ///< megabytes by which the process may grow during the run; 0: none
   int threads = 2;                 ///< worker threads; the mesh does not depend on it
   std::string stop_after;          ///< stop after this step and return its intermediate result; empty: go to the end
 };

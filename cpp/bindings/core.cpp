@@ -5,6 +5,9 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <new>
+#include <stdexcept>
+
 #include "bindings/convert.h"
 #include "pipeline/pipeline.h"
 #include "write/write.h"
@@ -28,6 +31,11 @@ const char* name_of(Failure kind) {
       return "cancelled";
   }
   return "no_mesh";
+}
+
+/// Messages may quote a damaged file or a path that is not UTF-8.
+py::str text_of(const std::string& message) {
+  return py::reinterpret_steal<py::str>(PyUnicode_DecodeUTF8(message.data(), static_cast<py::ssize_t>(message.size()), "backslashreplace"));
 }
 
 Options options_from(const py::dict& values) {
@@ -61,7 +69,7 @@ class PythonContext : public Context {
     if (!log.is_none())
       on_log = [f = log](const std::string& line) {
         py::gil_scoped_acquire gil;
-        f(line);
+        f(text_of(line));
       };
     is_cancelled = [this, f = cancelled] {
       const auto now = Clock::now();
@@ -82,10 +90,20 @@ std::shared_ptr<Result> run(const Mesh& mesh, const py::dict& values, const py::
                             const py::object& cancelled) {
   const Options options = options_from(values);
   PythonContext context(progress, log, cancelled);
+  context.limit_memory(static_cast<std::size_t>(options.memory_limit * 1e6));
   auto result = std::make_shared<Result>();
-  {
+  const auto out_of_memory = [&](const std::string& reason) {
+    return MeshingError(Failure::NoMesh, context.current_step(), reason, "use a larger size, or allow more memory");
+  };
+  try {
     py::gil_scoped_release release;
     *result = mesh(options, context);
+  } catch (const MemoryLimit&) {
+    throw out_of_memory("memory limit reached");
+  } catch (const std::bad_alloc&) {
+    throw out_of_memory("out of memory");
+  } catch (const std::length_error&) {  // a container of more elements than there can be bytes
+    throw out_of_memory("out of memory");
   }
   return result;
 }
@@ -123,11 +141,11 @@ PYBIND11_MODULE(_core, m) {
     try {
       if (p) std::rethrow_exception(p);
     } catch (const MeshingError& e) {
-      py::object error = py::reinterpret_borrow<py::object>(error_type)(e.what());
+      py::object error = py::reinterpret_borrow<py::object>(error_type)(text_of(e.what()));
       error.attr("kind") = name_of(e.kind);
       error.attr("step") = e.step;
-      error.attr("reason") = e.reason;
-      error.attr("hint") = e.hint;
+      error.attr("reason") = text_of(e.reason);
+      error.attr("hint") = text_of(e.hint);
       error.attr("cad_faces") = e.cad_faces;
       PyErr_SetObject(error_type, error.ptr());
     }
@@ -170,7 +188,11 @@ PYBIND11_MODULE(_core, m) {
           "write",
           [](const Result& r, const std::string& path, const std::string& element_type) {
             py::gil_scoped_release release;
-            write_mesh({r.mesh, r.hexes20, r.quads8}, path, {element_type});
+            try {
+              write_mesh({r.mesh, r.hexes20, r.quads8}, path, {element_type});
+            } catch (const std::bad_alloc&) {
+              throw MeshingError(Failure::Output, "write", "cannot write '" + path + "': out of memory", "use a larger size");
+            }
           },
           py::arg("path"), py::arg("element_type") = "", "Write the mesh by the path's ending (writable_endings). Raises MeshingError.")
       .def(

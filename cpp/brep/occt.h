@@ -2,10 +2,12 @@
 #pragma once
 #include <Message_ProgressIndicator.hxx>
 #include <Standard_Failure.hxx>
+#include <Standard_OutOfMemory.hxx>
 #include <gp_Ax3.hxx>
 #include <gp_Pnt.hxx>
 #include <gp_Pnt2d.hxx>
 #include <gp_Vec.hxx>
+#include <new>
 #include <string>
 #include <utility>
 
@@ -21,11 +23,14 @@ inline Vec3 to_eigen(const gp_Dir& p) { return to_eigen(p.XYZ()); }
 inline Vec2 to_eigen(const gp_Pnt2d& p) { return {p.X(), p.Y()}; }
 inline gp_Pnt to_occt(const Vec3& p) { return {p[0], p[1], p[2]}; }
 
-/// Run `work`; OCCT's exceptions (which are not std::exception) come out as MeshingError(BadInput, step).
+/// Run `work`; OCCT's exceptions (which are not std::exception) come out as MeshingError(BadInput, step), want of memory
+/// as std::bad_alloc.
 template <class Work>
 auto guarded(const std::string& step, const std::string& what, Work&& work) -> decltype(work()) {
   try {
     return std::forward<Work>(work)();
+  } catch (const Standard_OutOfMemory&) {
+    throw std::bad_alloc();
   } catch (const Standard_Failure& failure) {
     const char* text = failure.GetMessageString();
     const std::string detail = text != nullptr && text[0] != '\0' ? text : failure.DynamicType()->Name();

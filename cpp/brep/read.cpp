@@ -8,10 +8,8 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
-#include <IGESControl_Reader.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
-#include <STEPControl_Reader.hxx>
 #include <ShapeFix_Shape.hxx>
 #include <ShapeFix_Solid.hxx>
 #include <Standard_Version.hxx>
@@ -19,16 +17,16 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
-#include <algorithm>
 #include <cctype>
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <mutex>
 #include <sstream>
 
+#include "brep/exchange.h"
 #include "brep/model_impl.h"
 #include "brep/occt.h"
+#include "brep/sound.h"
 
 namespace hexfeature {
 namespace {
@@ -53,88 +51,9 @@ void check_file(const std::string& path) {
   if (!std::ifstream(path, std::ios::binary)) bad_input("'" + path + "' cannot be opened", "check its permissions");
 }
 
-/// The last characters of the file, where STEP and IGES say that they are complete.
-std::string tail(const std::string& path, std::streamoff count) {
-  std::ifstream in(path, std::ios::binary | std::ios::ate);
-  const std::streamoff size = in.tellg();
-  in.seekg(std::max<std::streamoff>(0, size - count));
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
-std::mutex& exchange_mutex() {  // OCCT's STEP and IGES readers have global state
-  static std::mutex mutex;
-  return mutex;
-}
-
 void silence_occt() {
   static std::once_flag once;
   std::call_once(once, [] { Message::DefaultMessenger()->ChangePrinters().Clear(); });
-}
-
-template <class Reader>
-TopoDS_Shape transfer(Reader& reader, const std::string& path, const std::string& kind, Context& context) {
-  const std::lock_guard<std::mutex> lock(exchange_mutex());
-  Handle(CancelIndicator) indicator = new CancelIndicator(context);
-  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
-    bad_input("'" + path + "' is not a readable " + kind + " file", "export the part again");
-  context.check();
-  const int roots = reader.NbRootsForTransfer();
-  Message_ProgressScope scope(indicator->Start(), "transfer", std::max(1, roots));
-  for (int i = 1; i <= roots; ++i) {
-    reader.TransferOneRoot(i, scope.Next());
-    context.check();
-  }
-  return reader.OneShape();
-}
-
-/// OCCT may crash on a file that refers to entities which it does not have (one that lost its middle or end).
-void check_references(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  const std::string text(std::istreambuf_iterator<char>(in), {});
-  std::vector<std::uint64_t> defined, used;
-  bool quoted = false;
-  char before = ';';  // the last character that is no blank
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (c == '\'') quoted = !quoted;
-    if (!quoted && c == '/' && i + 1 < text.size() && text[i + 1] == '*') {  // a comment, which counts as a blank
-      i = text.find("*/", i + 2);
-      if (i == std::string::npos) break;
-      ++i;
-      continue;
-    }
-    if (!quoted && c == '#' && i + 1 < text.size() && text[i + 1] >= '0' && text[i + 1] <= '9') {
-      std::uint64_t id = 0;
-      while (i + 1 < text.size() && text[i + 1] >= '0' && text[i + 1] <= '9') id = id * 10 + static_cast<std::uint64_t>(text[++i] - '0');
-      (before == ';' ? defined : used).push_back(id);
-      before = '0';
-    } else if (static_cast<unsigned char>(c) > ' ') {
-      before = c;
-    }
-  }
-  std::sort(defined.begin(), defined.end());
-  for (const std::uint64_t id : used)
-    if (!std::binary_search(defined.begin(), defined.end(), id))
-      bad_input("'" + path + "' is incomplete: it refers to #" + std::to_string(id) + ", which it does not have",
-                "export or download the part again");
-}
-
-TopoDS_Shape read_step(const std::string& path, Context& context) {
-  std::ifstream in(path, std::ios::binary);
-  std::string head(512, '\0');
-  in.read(head.data(), static_cast<std::streamsize>(head.size()));
-  if (head.find("ISO-10303-21") == std::string::npos)
-    bad_input("'" + path + "' is not a STEP file", "its first line must be ISO-10303-21;");
-  if (tail(path, 4096).find("END-ISO-10303-21") == std::string::npos)
-    bad_input("'" + path + "' is truncated", "export or download the part again");
-  check_references(path);
-  STEPControl_Reader reader;
-  return transfer(reader, path, "STEP", context);
-}
-
-TopoDS_Shape read_iges(const std::string& path, Context& context) {
-  IGESControl_Reader reader;
-  return transfer(reader, path, "IGES", context);
 }
 
 /// OCCT's reader trusts the counts in the text and would go on past its end for ever: the stream throws there instead.
@@ -230,6 +149,7 @@ std::unique_ptr<CadModel> make_model(const TopoDS_Shape& read, Context& context)
   return guarded("read", "the part cannot be read", [&] {
     std::vector<std::string> warnings;
     TopoDS_Shape part = part_of(read, warnings);
+    require_sound(part, context);
     context.progress("read", 0.5);
     if (!BRepCheck_Analyzer(part, Standard_True).IsValid()) {
       const TopoDS_Shape healed = heal(part, context);

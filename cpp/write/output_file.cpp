@@ -1,6 +1,13 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #include "write/output_file.h"
 
+#ifdef _WIN32
+#include <process.h>
+#define getpid _getpid
+#else
+#include <unistd.h>
+#endif
+
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -43,9 +50,10 @@ OutputFile::OutputFile(const std::string& path) : target_(path) {
   // Renaming onto a device or a pipe would replace it.
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) fail(EINVAL);
 
+  // STEM.PID.part...: the command line's guard knows these names and removes what a worker that was stopped left of them.
   for (int attempt = 0; !file_; ++attempt) {
-    temporary_ = target_;
-    temporary_ += ".part" + std::to_string(attempt);
+    temporary_ = target_.parent_path() / target_.stem();
+    temporary_ += "." + std::to_string(getpid()) + ".part" + std::to_string(attempt);
     file_ = std::fopen(temporary_.string().c_str(), "wxb");
     if (!file_ && (errno != EEXIST || attempt == 99)) fail(errno);
   }

@@ -8,7 +8,7 @@ def run():
     try:
         from hexfeature.cli import main
 
-        return main()
+        return main(guarded=True)
     except KeyboardInterrupt:
         sys.stderr.write("hexfeature: cancelled\n")
         return 130

@@ -112,7 +112,7 @@ def mesh(part, size=None, *, object_name=None, progress=None, log=None, cancelle
         return mesh_brep(fcstd.read_brep(path, object_name), progress=progress, log=log, cancelled=cancelled, **chosen)
     if object_name:
         raise make_error("usage", "options", "an object can be named in a .FCStd file only", "leave the object out")
-    return Mesh(_core.mesh_file(path, chosen, progress, log, cancelled))
+    return Mesh(_core.mesh_file(os.fsencode(path), chosen, progress, log, cancelled))
 
 
 def mesh_brep(text, size=None, *, progress=None, log=None, cancelled=None, **choices):

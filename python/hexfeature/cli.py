@@ -12,30 +12,60 @@ from hexfeature import _core, api
 from hexfeature.errors import EXIT_CODES, MeshingError, make_error, system_error
 
 STEPS_WITHOUT_PICTURE = ("read", "frame")
+INTERNAL = "internal error"  #: how the reason of an error that nobody foresaw begins
 CONFIG_HINT = 'it should read like {"size": 4, "order": 2}'
 
 
-def main(arguments=None):
-    """Run the command line; returns the exit code. Never raises."""
+def main(arguments=None, guarded=False):
+    """Run the command line; returns the exit code. Never raises. `guarded`: the work runs in a process of its own (guard)."""
     verbose = "--verbose" in (sys.argv[1:] if arguments is None else arguments)
-    try:
+
+    def command():
         choice = _parser().parse_args(arguments)
+        choice.guarded = guarded
         return choice.run(choice)
-    except MeshingError as error:
-        return _tell(error)
-    except KeyboardInterrupt:
-        return _tell(make_error("cancelled", "run", "cancelled"))
-    except MemoryError:
-        return _tell(make_error("no_mesh", "run", "out of memory", "use a larger size"))
+
+    return _told(command, verbose)
+
+
+def _told(command, verbose):
+    """command()'s exit code; what it raises is told on standard error and becomes the exit code."""
+    try:
+        return command()
     except BrokenPipeError:
         return EXIT_CODES["output"]
     except SystemExit as end:  # argparse: 0 after --help, 2 after a mistake
         return end.code
-    except Exception as error:
-        if verbose:
+    except (Exception, KeyboardInterrupt) as error:
+        typed = _typed(error)
+        if verbose and typed.reason.startswith(INTERNAL):
             raise
-        return _tell(make_error("no_mesh", "run", f"internal error: {type(error).__name__}: {error}",
-                                "run again with --verbose and report what it prints"))
+        return _tell(typed)
+
+
+def _typed(error):
+    """Any exception as a MeshingError."""
+    if isinstance(error, MeshingError):
+        return error
+    if isinstance(error, KeyboardInterrupt):
+        return make_error("cancelled", "run", "cancelled")
+    if isinstance(error, MemoryError):
+        return make_error("no_mesh", "run", "out of memory", "use a larger size")
+    return make_error("no_mesh", "run", f"{INTERNAL}: {type(error).__name__}: {error}", "run again with --verbose and report what it prints")
+
+
+def _guarded(choice, work, stopped=lambda error: None, time_limit=0, outputs=()):
+    """work(at) -> exit code, by a guarded worker where there may be one; `stopped` is told of the guard's own error."""
+    from hexfeature import guard
+
+    if not (choice.guarded and guard.available()):
+        return work(lambda step: None)
+    verbose = getattr(choice, "verbose", False)
+    try:
+        return guard.run(lambda board: _told(lambda: work(board.put), verbose), time_limit, [path for path in outputs if path])
+    except MeshingError as error:
+        stopped(error)
+        raise
 
 
 def _tell(error):
@@ -123,25 +153,34 @@ def _read_config(path):
 
 # ---------------------------------------------------------------- commands
 def _mesh(choice):
-    from hexfeature import formats, report
+    from hexfeature import formats
 
     started = time.monotonic()
     options = _options_of(choice)
+    _check_outputs(choice, options.get("stop_after", ""), formats)
+    limit = options.get("time_limit", 0)
+    limit = limit if isinstance(limit, (int, float)) and limit > 0 else 0  # the core says what is wrong with another
+    return _guarded(choice, lambda at: _make_mesh(choice, options, started, at), lambda error: _report_failure(choice, error, started),
+                    limit, (choice.output, choice.report))
+
+
+def _make_mesh(choice, options, started, at):
+    """The work itself; `at(step)` is told where it is."""
+    from hexfeature import report
+
     stop_after = options.get("stop_after", "")
-    _check_outputs(choice, stop_after, formats)
-    progress = Progress(choice.verbose, choice.quiet)
+    progress = Progress(choice.verbose, choice.quiet, at)
     try:
-        mesh = api.mesh(choice.part, object_name=choice.object, progress=progress.callback(), log=progress.log, **options)
+        mesh = api.mesh(choice.part, object_name=choice.object, progress=progress.callback, log=progress.log, **options)
         progress.done()
-        if choice.output:
-            if stop_after:
-                mesh.write_stage(stop_after, choice.output)
-            else:
-                mesh.write(choice.output, choice.element_type)
-    except MeshingError as error:
+        at("write")
+        if choice.output and stop_after:
+            mesh.write_stage(stop_after, choice.output)
+        elif choice.output:
+            mesh.write(choice.output, choice.element_type)
+    except (Exception, KeyboardInterrupt) as error:
         progress.done()
-        if choice.report:
-            report.write(report.of_error(error, choice.part, time.monotonic() - started), choice.report)
+        _report_failure(choice, _typed(error), started)
         raise
     if choice.report:
         report.write(report.of_mesh(mesh, choice.part, time.monotonic() - started), choice.report)
@@ -150,6 +189,13 @@ def _mesh(choice):
             sys.stderr.write(f"hexfeature: warning: {warning}\n")
         sys.stderr.write(report.summary(mesh.report) + "\n")
     return 0
+
+
+def _report_failure(choice, error, started):
+    from hexfeature import report
+
+    if choice.report:
+        report.write(report.of_error(error, choice.part, time.monotonic() - started), choice.report)
 
 
 def _check_outputs(choice, stop_after, formats):
@@ -165,8 +211,13 @@ def _check_outputs(choice, stop_after, formats):
 
 
 def _info(choice):
+    return _guarded(choice, lambda at: _print_info(choice, at))
+
+
+def _print_info(choice, at):
     import json
 
+    at("read")
     mesh = api.mesh(choice.part, object_name=choice.object, stop_after="read")
     facts = dict(mesh.report["part"], warnings=mesh.report["warnings"], suggested_size=mesh.report["options"]["size"])
     print(json.dumps({"part_file": choice.part, **facts}, indent=1))
@@ -181,29 +232,28 @@ def _version(_choice):
 class Progress:
     """Progress on standard error: one changing line on a terminal, a line a step with --verbose, else nothing."""
 
-    def __init__(self, verbose, quiet):
+    def __init__(self, verbose, quiet, at):
         self._verbose = verbose
         self._live = not quiet and not verbose and sys.stderr.isatty()
+        self._at = at
         self._step, self._shown = "", 0.0
         self.log = self._log if verbose else None
 
-    def callback(self):
-        """What to hand to `mesh`; None when nobody looks, which saves the calls."""
-        return self._progress if self._verbose or self._live else None
-
-    def done(self):
-        if self._live:
-            sys.stderr.write("\r\033[K")
-
-    def _progress(self, step, fraction):
-        if self._verbose:
-            if step != self._step:
+    def callback(self, step, fraction):
+        """What to hand to `mesh`."""
+        if step != self._step:
+            self._at(step)
+            if self._verbose:
                 self._log(f"step {step}")
-        elif step != self._step or time.monotonic() - self._shown > 0.1:
+        if self._live and (step != self._step or time.monotonic() - self._shown > 0.1):
             sys.stderr.write(f"\r\033[K{step} {100 * fraction:3.0f}%")
             sys.stderr.flush()
             self._shown = time.monotonic()
         self._step = step
+
+    def done(self):
+        if self._live:
+            sys.stderr.write("\r\033[K")
 
     def _log(self, line):
         sys.stderr.write(line + "\n")

@@ -13,5 +13,5 @@ def make_error(kind, step, reason, hint=""):
 
 
 def system_error(kind, step, action, error, hint=""):
-    """The same from an OSError: `action` says what could not be done, as in "cannot read 'x'"."""
-    return make_error(kind, step, f"{action}: {error.strerror or error}", hint)
+    """The same from an OSError or the like: `action` says what could not be done, as in "cannot read 'x'"."""
+    return make_error(kind, step, f"{action}: {getattr(error, 'strerror', None) or error}", hint)

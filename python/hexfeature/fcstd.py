@@ -1,6 +1,8 @@
 # HexFeatureWB - LGPL-2.1-or-later
 """Read a shape out of a FreeCAD document without FreeCAD: the file is a zip with Document.xml and one .brp a shape."""
+import lzma
 import zipfile
+import zlib
 from typing import NamedTuple
 from xml.etree import ElementTree
 
@@ -26,7 +28,8 @@ def read_brep(path, object_name=None):
     try:
         with zipfile.ZipFile(path) as archive:
             return _read(archive, path, object_name)
-    except (zipfile.BadZipFile, ElementTree.ParseError, KeyError, UnicodeDecodeError, EOFError, NotImplementedError) as error:
+    except (zipfile.BadZipFile, zlib.error, lzma.LZMAError, ElementTree.ParseError, LookupError, ValueError, EOFError, NotImplementedError,
+            RuntimeError, AttributeError) as error:  # RuntimeError: encrypted; the others: damaged in one way or another
         raise make_error("bad_input", "read", f"'{path}' is not a readable FreeCAD document ({error})",
                          "open it in FreeCAD and save it again") from None
     except OSError as error:

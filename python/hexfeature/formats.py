@@ -24,6 +24,8 @@ def check_output(path, known=None):
         raise make_error("output", "write", f"cannot write '{path}': there is no folder '{folder}'", "make the folder first")
     if os.path.isdir(path):
         raise make_error("output", "write", f"cannot write '{path}': it is a folder", "give a file name, not a folder")
+    if os.path.exists(path) and not os.path.isfile(path):  # renaming onto a device or a pipe would replace it
+        raise make_error("output", "write", f"cannot write '{path}': it is no regular file", "give a file name")
     if not os.access(folder, os.W_OK | os.X_OK):
         raise make_error("output", "write", f"cannot write '{path}': no right to create files in '{folder}'", "choose another folder")
 
@@ -33,7 +35,7 @@ def write(mesh, path, element_type=""):
     check_output(path)
     ending = os.path.splitext(path)[1].lower()
     if ending in _core.writable_endings:
-        return mesh._result.write(path, element_type)
+        return mesh._result.write(os.fsencode(path), element_type)
     try:
         if ending == ".med":
             from hexfeature import med
@@ -49,13 +51,15 @@ def write(mesh, path, element_type=""):
 
 
 def replace_file(path, write_to):
-    """Call write_to(temporary path in the same folder), then rename: no half-written file, ever."""
-    base, ending = os.path.splitext(path)
+    """Call write_to(temporary path in the same folder), then rename: no half-written file, ever. The temporary's name, STEM.PID.part...,
+    is one that the command line's guard knows. Raises MeshingError ("output")."""
+    target = os.path.realpath(path)
+    base, ending = os.path.splitext(target)
     temporary = f"{base}.{os.getpid()}.part{ending}"
     try:
         write_to(temporary)
-        os.replace(temporary, path)
-    except OSError as error:
+        os.replace(temporary, target)
+    except (OSError, RuntimeError) as error:  # h5py has a RuntimeError where HDF5 cannot flush
         raise system_error("output", "write", f"cannot write '{path}'", error, "check the folder and the free space") from None
     finally:
         if os.path.exists(temporary):

@@ -1,0 +1,108 @@
+#!/usr/bin/python3
+# HexFeatureWB - LGPL-2.1-or-later
+"""How soon a run stops: benchmarks/cancel.py OUT_DIR [--interrupts 20] [--seed 1] [PART:SIZE ...]
+
+Two measurements of every part (the project's own at about 100,000 hexahedra when none is given).
+1. In the package: the longest time between two looks at `cancelled`, for each step: the worst that a Cancel can take. In CPU time of the
+   meshing thread, which a busy machine does not change.
+2. On the command line: Ctrl-C at random moments of the run, from the part's reading to the mesh's writing; seconds until the process has ended,
+   and whether it left a file. Wall time: measure on an idle machine.
+Exit code 1 when a limit of 0.2 s is passed or a file is left.
+"""
+import argparse
+import os
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+LIMIT = 0.2
+PARTS = [("crank_shaft", 1.3), ("plate_with_holes", 1.0), ("flange", 1.1)]
+
+sys.path.insert(0, str(ROOT / "python"))
+
+
+def gaps(part, size):
+    """Step -> longest CPU time between two polls; and the run's wall time and number of hexahedra."""
+    import hexfeature
+
+    worst, state = {}, {"step": "read", "last": time.thread_time()}
+
+    def poll():
+        now = time.thread_time()
+        step = state["step"]
+        worst[step] = max(worst.get(step, 0), now - state["last"])
+        state["last"] = now
+        return False
+
+    def progress(step, _fraction):
+        poll()
+        state["step"] = step
+
+    started = time.monotonic()
+    try:
+        hexes = len(hexfeature.mesh(part, size, cancelled=poll, progress=progress).hexes)
+    except hexfeature.MeshingError as error:
+        print(f"  no mesh: {error}")
+        hexes = 0
+    poll()
+    return worst, time.monotonic() - started, hexes
+
+
+def interrupt(part, size, after, ending):
+    """Seconds from SIGINT to the end, the exit code, the step, what was left; None when the run was over before."""
+    with tempfile.TemporaryDirectory() as folder:
+        command = [sys.executable, "-m", "hexfeature", "mesh", str(part), "-o", f"{folder}/m{ending}", "--size", str(size)]
+        process = subprocess.Popen(command, stderr=subprocess.PIPE, text=True, env=dict(os.environ, PYTHONPATH=str(ROOT / "python")))
+        time.sleep(after)
+        if process.poll() is not None:
+            return None
+        process.send_signal(signal.SIGINT)
+        sent = time.monotonic()
+        code = process.wait()
+        seconds = time.monotonic() - sent
+        return seconds, code, process.stderr.read().strip().splitlines()[:1], os.listdir(folder)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("out", type=Path)
+    parser.add_argument("parts", nargs="*", help="FILE:SIZE")
+    parser.add_argument("--interrupts", type=int, default=20)
+    parser.add_argument("--seed", type=int, default=1)
+    arguments = parser.parse_args()
+    if arguments.parts:
+        parts = [(Path(p.rsplit(":", 1)[0]), float(p.rsplit(":", 1)[1])) for p in arguments.parts]
+    else:
+        draw = ROOT / "tests" / "parts" / "make_parts.py"
+        subprocess.run(["/usr/bin/python3", str(draw), str(arguments.out)], check=True, capture_output=True)
+        parts = [(arguments.out / f"{name}.step", size) for name, size in PARTS]
+    rng, failed = random.Random(arguments.seed), False
+    for part, size in parts:
+        worst, seconds, hexes = gaps(part, size)
+        print(f"{part.name}, size {size:g}: {hexes} hexahedra in {seconds:.1f} s; longest time between two looks at `cancelled`:")
+        for step, gap in worst.items():
+            print(f"  {step:14s} {gap:6.3f} s{'  too long' if gap > LIMIT else ''}")
+        failed |= max(worst.values()) > LIMIT
+        ends = []
+        for _ in range(arguments.interrupts):
+            done = interrupt(part, size, rng.uniform(0.2, seconds + 1), rng.choice([".vtk", ".inp", ".med"]))
+            if done is None:
+                continue
+            ends.append(done[0])
+            if done[1] != 130 or done[3] or done[0] > LIMIT:
+                print(f"  Ctrl-C: {done[0]:.3f} s, exit {done[1]}, {done[2]}, left {done[3]}")
+                failed |= bool(done[3]) or done[1] not in (0, 130) or done[0] > LIMIT
+        if ends:
+            print(f"  {len(ends)} times Ctrl-C: ended after {sorted(ends)[len(ends) // 2]:.3f} s (median), {max(ends):.3f} s (worst)", flush=True)
+    shutil.rmtree(arguments.out / "work", ignore_errors=True)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

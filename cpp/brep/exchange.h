@@ -1,0 +1,16 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#pragma once
+#include <TopoDS_Shape.hxx>
+#include <string>
+
+#include "base/context.h"
+
+namespace hexfeature {
+
+/// The shape in a STEP or IGES file, lengths in millimetres as OCCT (and FreeCAD) has them, whatever the file's unit. OCCT's readers trust
+/// much of what they read: what can be told from the text and from the loaded entities is checked before the shape is built.
+/// Throws MeshingError(BadInput, "read").
+TopoDS_Shape read_step(const std::string& path, Context& context);
+TopoDS_Shape read_iges(const std::string& path, Context& context);
+
+}  // namespace hexfeature

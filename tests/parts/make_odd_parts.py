@@ -1,0 +1,157 @@
+#!/usr/bin/python3
+# HexFeatureWB - LGPL-2.1-or-later
+"""Parts as users send them: far away, tiny, huge, in other units, inside out, hollow, with stray faces, slivers, tiny edges, several solids.
+
+    /usr/bin/python3 tests/parts/make_odd_parts.py OUT_DIR [NAME ...]
+
+Leaves OUT_DIR/NAME.step or .brep. Most are one plate with a hole, 40 x 40 x 10, in another guise, so that its mesh must be the same.
+"""
+import os
+import sys
+
+sys.path += ["/usr/lib/freecad-python3/lib", "/usr/lib/freecad/lib", "/usr/lib/freecad/Mod"]
+import FreeCAD  # noqa: E402  before Part, or Part crashes outside FreeCAD
+import Part  # noqa: E402
+
+V = FreeCAD.Vector
+MM = "( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.) )"
+
+
+def plate():
+    return Part.makeBox(40, 40, 10).cut(Part.makeCylinder(8, 10, V(20, 20, 0)))
+
+
+def scaled(factor):
+    """The plate drawn that much larger, not scaled as splines: its hole stays a cylinder."""
+    box = Part.makeBox(40 * factor, 40 * factor, 10 * factor)
+    return box.cut(Part.makeCylinder(8 * factor, 10 * factor, V(20 * factor, 20 * factor, 0)))
+
+
+def far():
+    shape = plate()
+    shape.translate(V(1e6, -1e6, 1e6))
+    return shape
+
+
+def hollow():
+    """A block with a closed void."""
+    return Part.makeBox(30, 30, 30).cut(Part.makeBox(10, 10, 10, V(10, 10, 10)))
+
+
+def stray():
+    """The plate with two loose faces and a loose edge beside it, in one compound."""
+    loose = Part.makePlane(5, 5, V(60, 0, 0))
+    return Part.makeCompound([plate(), loose, Part.makePlane(5, 5, V(70, 0, 0)), Part.makeLine(V(0, 0, 50), V(1, 0, 50))])
+
+
+def inside_out():
+    return plate().reversed()
+
+
+def shell_inside_out():
+    """A solid of a shell whose faces look inward."""
+    shell = plate().Shells[0]
+    shell.reverse()
+    return Part.Solid(shell)
+
+
+def one_face_turned():
+    """The shell lies: one of its faces looks the other way."""
+    faces = plate().Faces
+    faces[0].reverse()
+    return Part.Compound(faces)
+
+
+def prism(points, height):
+    vectors = [V(x, y, 0) for x, y in points]
+    return Part.Face(Part.makePolygon(vectors + vectors[:1])).extrude(V(0, 0, height))
+
+
+def tiny_edge():
+    """A corner cut off by a chamfer of a billionth of the part's length."""
+    size, cut = 1e4, 1e-5
+    return prism([(0, 0), (size, 0), (size, size - cut), (size - cut, size), (0, size)], size / 2)
+
+
+def sliver():
+    """A face a ten-thousandth as wide as the part, flush with its neighbours."""
+    return prism([(0, 0), (20, 0), (20.004, 0), (40, 0), (40, 40), (0, 40)], 10)
+
+
+def touching():
+    """Two bores that touch each other along a line."""
+    block = Part.makeBox(60, 30, 10)
+    return block.cut(Part.makeCylinder(8, 10, V(22, 15, 0))).cut(Part.makeCylinder(8, 10, V(38, 15, 0)))
+
+
+def loose_faces():
+    """The plate's faces, not joined."""
+    return Part.Compound([face.copy() for face in plate().Faces])
+
+
+def torn():
+    """The plate's faces, each moved a little: a gap of a hundred-thousandth."""
+    faces = []
+    for i, face in enumerate(plate().Faces):
+        copy = face.copy()
+        copy.translate(V(1, 1, 1).multiply(2e-5 * (i % 3 - 1)))
+        faces.append(copy)
+    return Part.Compound(faces)
+
+
+#: name -> (function, ending)
+SHAPES = {
+    "plate": (plate, "step"), "far": (far, "step"), "tiny": (lambda: scaled(2.5e-5), "step"), "huge": (lambda: scaled(2500), "step"),
+    "hollow": (hollow, "step"), "stray": (stray, "step"), "inside_out": (inside_out, "brep"), "shell_inside_out": (shell_inside_out, "brep"),
+    "one_face_turned": (one_face_turned, "brep"), "tiny_edge": (tiny_edge, "step"), "sliver": (sliver, "step"),
+    "touching": (touching, "step"), "loose_faces": (loose_faces, "brep"), "torn": (torn, "brep"),
+}
+
+
+def named_solids(path):
+    """Two parts of an assembly, with names, as FreeCAD's STEP export writes them."""
+    import Import
+
+    document = FreeCAD.newDocument("assembly")
+    for name, at in (("left plate", 0), ("right block", 60)):
+        item = document.addObject("Part::Feature", name.replace(" ", "_"))
+        item.Label = name
+        item.Shape = Part.makeBox(20, 20, 10, V(at, 0, 0))
+    Import.export(document.Objects, path)
+
+
+def in_unit(text, unit):
+    """The same numbers, said to be in another unit."""
+    assert MM in text, "the STEP writer has changed"
+    if unit == "metre":
+        return text.replace(MM, "( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT($,.METRE.) )")
+    last = max(int(line[1:line.index("=")]) for line in text.splitlines() if line.startswith("#") and "=" in line and line[1:line.index("=")].strip().isdigit())
+    a, b, c = last + 1, last + 2, last + 3
+    inch = (f"( CONVERSION_BASED_UNIT('INCH',#{a}) LENGTH_UNIT() NAMED_UNIT(#{c}) )")
+    extra = (f"#{a} = LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#{b});\n#{b} = {MM};\n#{c} = DIMENSIONAL_EXPONENTS(1.,0.,0.,0.,0.,0.,0.);\n")
+    head, tail = text.replace(MM, inch).rsplit("ENDSEC;", 1)
+    return head + extra + "ENDSEC;" + tail
+
+
+def make(folder, names=()):
+    os.makedirs(folder, exist_ok=True)
+    for name, (draw, ending) in SHAPES.items():
+        if names and name not in names:
+            continue
+        path = os.path.join(folder, f"{name}.{ending}")
+        shape = draw()
+        if ending == "step":
+            shape.exportStep(path)
+        else:
+            shape.exportBrep(path)
+    if not names:
+        with open(os.path.join(folder, "plate.step"), encoding="utf-8") as file:
+            text = file.read()
+        for unit in ("metre", "inch"):
+            with open(os.path.join(folder, unit + ".step"), "w", encoding="utf-8") as out:
+                out.write(in_unit(text, unit))
+        named_solids(os.path.join(folder, "named_solids.step"))
+
+
+if __name__ == "__main__":
+    make(sys.argv[1], sys.argv[2:])

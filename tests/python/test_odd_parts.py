@@ -1,0 +1,71 @@
+# HexFeatureWB - LGPL-2.1-or-later
+"""Parts as users send them (tests/parts/make_odd_parts.py): a mesh, or an error that says what is wrong; never a wrong mesh."""
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import hexfeature
+
+DRAW = Path(__file__).resolve().parents[1] / "parts" / "make_odd_parts.py"
+VOLUME = 40 * 40 * 10 - np.pi * 64 * 10
+
+
+@pytest.fixture(scope="session")
+def odd(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("odd")
+    subprocess.run(["/usr/bin/python3", str(DRAW), str(folder)], check=True, capture_output=True)
+    return folder
+
+
+@pytest.fixture(scope="session")
+def plain(odd):
+    return hexfeature.mesh(odd / "plate.step", size=4)
+
+
+def worst(mesh):
+    return mesh.report["quality"]["min_scaled_jacobian"]
+
+
+@pytest.mark.parametrize("name, size, factor", [
+    ("far.step", 4, 1), ("tiny.step", 1e-4, 2.5e-5), ("huge.step", 1e4, 2500), ("metre.step", 4000, 1000), ("inch.step", 4 * 25.4, 25.4),
+    ("stray.step", 4, 1), ("inside_out.brep", 4, 1), ("shell_inside_out.brep", 4, 1), ("one_face_turned.brep", 4, 1),
+    ("loose_faces.brep", 4, 1)])
+def test_the_same_plate_in_another_guise_has_the_same_mesh(odd, plain, name, size, factor):
+    mesh = hexfeature.mesh(odd / name, size=size)
+    assert mesh.certified
+    assert len(mesh.hexes) == len(plain.hexes)
+    assert worst(mesh) == pytest.approx(worst(plain), abs=0.01)
+    assert mesh.report["part"]["volume"] == pytest.approx(VOLUME * factor**3, rel=1e-6)
+    assert mesh.report["quality"]["volume_error"] == pytest.approx(plain.report["quality"]["volume_error"], abs=2e-4)
+    assert set(mesh.quad_face) == set(plain.quad_face)
+    assert not mesh.report["faithfulness"]["sharp_edges_not_followed"]
+
+
+def test_coordinates_are_the_parts_own(odd):
+    mesh = hexfeature.mesh(odd / "far.step", size=4)
+    assert mesh.points.min(axis=0) == pytest.approx([1e6, -1e6, 1e6], abs=1e-5)
+    assert mesh.points.max(axis=0) == pytest.approx([1e6 + 40, -1e6 + 40, 1e6 + 10], abs=1e-5)
+
+
+@pytest.mark.parametrize("name, word", [("stray.step", "stray"), ("loose_faces.brep", "sewn"), ("one_face_turned.brep", "sewn")])
+def test_what_was_left_out_or_mended_is_said(odd, name, word):
+    mesh = hexfeature.mesh(odd / name, size=4, stop_after="read")
+    assert any(word in warning for warning in mesh.report["warnings"]), mesh.report["warnings"]
+
+
+def test_a_closed_void(odd):
+    mesh = hexfeature.mesh(odd / "hollow.step", size=5)
+    assert len(mesh.hexes) == 6**3 - 2**3
+    assert set(mesh.quad_face) == set(range(1, 13))
+
+
+@pytest.mark.parametrize("name, size", [("tiny_edge.step", 1000), ("sliver.step", 4), ("touching.step", 3), ("torn.brep", 4)])
+def test_a_mesh_or_a_reason(odd, name, size):
+    try:
+        mesh = hexfeature.mesh(odd / name, size=size, time_limit=60)
+    except hexfeature.MeshingError as error:
+        assert error.kind in ("bad_input", "no_mesh") and error.reason and error.hint
+    else:
+        assert mesh.certified and mesh.report["quality"]["volume_error"] < 0.03
