@@ -57,43 +57,61 @@ void require_valid(const LabelResult& labels) {
                      "try a smaller element size, or simplify the faces named", cad_faces_of(labels.shape, worst.charts));
 }
 
-/// Smooth with the sheets that pay: all of them, or none where that ends better.
+/// Smooth with the sheets that pay. All of them at first; as long as the worst element lies at a sheet, again without the sheets there,
+/// and the better mesh is kept. What is far from every sheet is not their doing: then nothing is tried.
 HexComplex smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shape, const Geometry& geometry, Run& run) {
+  constexpr int kTrials = 4;
+  constexpr double kAsBad = 0.02;  // elements that are worse than the worst by less are to blame as well
   SmoothOptions smoothing;
   smoothing.size = run.options.size;
   smoothing.threads = run.options.threads;
+  SheetOptions sheets;
+  sheets.size = run.options.size;
+  sheets.max_sheets = run.options.sheets ? sheets.max_sheets : 0;
   Result& result = run.result;
 
-  HexComplex complex = fitted;
-  if (run.options.sheets) {
+  HexComplex best;
+  bool more = true;
+  for (int trial = 0; trial < kTrials && more; ++trial) {
     run.begin("sheets");
-    SheetOptions sheets;
-    sheets.size = run.options.size;
-    result.sheets = insert_sheets(complex, shape, geometry, sheets, run.context);
-    result.mesh = complex;
-    run.complete();
-  }
-  run.begin("smooth");
-  result.smoothing = smooth(complex, *geometry.projector, smoothing, run.context);
-  if (result.sheets.inserted > 0 && result.smoothing.min_sj < kGoodEnough) {
-    HexComplex plain = fitted;
-    const SmoothReport report = smooth(plain, *geometry.projector, smoothing, run.context);
-    if (report.min_sj > result.smoothing.min_sj) {
-      result.sheets = {};
-      result.smoothing = report;
-      complex = std::move(plain);
+    HexComplex complex = fitted;
+    SheetReport report = insert_sheets(complex, shape, geometry, sheets, run.context);
+    report.taken_back = static_cast<int>(sheets.without.size());
+    if (trial == 0) result.mesh = complex;
+    if (trial == 0 && run.options.sheets) run.complete();
+    run.begin("smooth");
+    const SmoothReport smoothed = smooth(complex, *geometry.projector, smoothing, run.context);
+    const SmoothReport& least = result.smoothing;
+    if (trial > 0 && (smoothed.inverted > least.inverted || (smoothed.inverted == least.inverted && smoothed.min_sj <= least.min_sj))) break;
+    more = false;
+    if (smoothed.inverted > 0 || smoothed.min_sj < kGoodEnough) {
+      const std::vector<double> quality = proved_scaled_jacobians(complex.points, complex.hexes);
+      for (int s : sheets_near(complex, report, quality, std::max(smoothed.min_sj, 0.0) + kAsBad)) {
+        sheets.without.push_back(report.names[s]);
+        more = true;
+      }
     }
+    best = std::move(complex);
+    result.sheets = std::move(report);
+    result.smoothing = smoothed;
   }
-  return complex;
+  return best;
+}
+
+/// Marks the points of the elements that are not proved positive.
+std::vector<char> points_of_inverted(const HexComplex& complex) {
+  const std::vector<double> quality = proved_scaled_jacobians(complex.points, complex.hexes);
+  std::vector<char> marked(complex.points.size(), 0);
+  for (int h = 0; h < complex.hex_count(); ++h)
+    if (!(quality[h] > 0))
+      for (int v : complex.hexes[h]) marked[v] = 1;
+  return marked;
 }
 
 /// CAD edges that run inside a chart, are followed by a chain of mesh edges, and touch an inverted element or a neighbour of one:
 /// letting them go is what may make it valid. Tangent ones first: a mesh loses less without them. Sorted.
 std::vector<int> edges_to_release(const HexComplex& complex, const Geometry& geometry) {
-  std::vector<char> near(complex.points.size(), 0);
-  for (const auto& hex : complex.hexes)
-    if (!(scaled_jacobian(complex.points, hex) > 0))
-      for (int v : hex) near[v] = 1;
+  const std::vector<char> near = points_of_inverted(complex);
   std::vector<char> ring = near;
   for (const auto& hex : complex.hexes)
     if (std::any_of(hex.begin(), hex.end(), [&](int v) { return near[v] != 0; }))
@@ -120,10 +138,7 @@ std::vector<int> edges_to_release(const HexComplex& complex, const Geometry& geo
 
 /// CAD faces of the quads that share a point with an inverted element.
 std::vector<int> faces_near_inverted(const HexComplex& complex) {
-  std::vector<char> near(complex.points.size(), 0);
-  for (const auto& hex : complex.hexes)
-    if (!(scaled_jacobian(complex.points, hex) > 0))
-      for (int v : hex) near[v] = 1;
+  const std::vector<char> near = points_of_inverted(complex);
   std::set<int> faces;
   for (std::size_t q = 0; q < complex.quads.size(); ++q)
     if (std::any_of(complex.quads[q].begin(), complex.quads[q].end(), [&](int v) { return near[v] != 0; }))
