@@ -57,11 +57,16 @@ void require_valid(const LabelResult& labels) {
                      "try a smaller element size, or simplify the faces named", cad_faces_of(labels.shape, worst.charts));
 }
 
-/// Smooth with the sheets that pay. All of them at first; as long as the worst element lies at a sheet, again without the sheets there,
-/// and the better mesh is kept. What is far from every sheet is not their doing: then nothing is tried.
+/// Whether a smoothed mesh is worth more: fewer inverted elements, or a worst element better by what can be seen.
+bool is_better(const SmoothReport& a, const SmoothReport& b) {
+  constexpr double kSeen = 0.005;
+  return a.inverted != b.inverted ? a.inverted < b.inverted : a.min_sj > b.min_sj + kSeen;
+}
+
+/// Smooth with the sheets that pay. All of them at first; as long as the worst element lies at sheets, again without one of these, the
+/// last inserted first, and the better mesh is kept. What is far from every sheet is not their doing: then nothing is tried.
 HexComplex smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shape, const Geometry& geometry, Run& run) {
-  constexpr int kTrials = 4;
-  constexpr double kAsBad = 0.02;  // elements that are worse than the worst by less are to blame as well
+  constexpr int kTrials = 6;
   SmoothOptions smoothing;
   smoothing.size = run.options.size;
   smoothing.threads = run.options.threads;
@@ -71,26 +76,29 @@ HexComplex smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shap
   Result& result = run.result;
 
   HexComplex best;
-  bool more = true;
-  for (int trial = 0; trial < kTrials && more; ++trial) {
+  std::vector<std::vector<int>> suspects;  // names; the next one to leave out last
+  for (int trial = 0; trial < kTrials; ++trial) {
+    SheetOptions tried = sheets;
+    if (trial > 0) {
+      if (suspects.empty()) break;
+      tried.without.push_back(suspects.back());
+      suspects.pop_back();
+    }
     run.begin("sheets");
     HexComplex complex = fitted;
-    SheetReport report = insert_sheets(complex, shape, geometry, sheets, run.context);
-    report.taken_back = static_cast<int>(sheets.without.size());
+    SheetReport report = insert_sheets(complex, shape, geometry, tried, run.context);
+    report.taken_back = static_cast<int>(tried.without.size());
     if (trial == 0) result.mesh = complex;
     if (trial == 0 && run.options.sheets) run.complete();
     run.begin("smooth");
     const SmoothReport smoothed = smooth(complex, *geometry.projector, smoothing, run.context);
-    const SmoothReport& least = result.smoothing;
-    if (trial > 0 && (smoothed.inverted > least.inverted || (smoothed.inverted == least.inverted && smoothed.min_sj <= least.min_sj))) break;
-    more = false;
-    if (smoothed.inverted > 0 || smoothed.min_sj < kGoodEnough) {
-      const std::vector<double> quality = proved_scaled_jacobians(complex.points, complex.hexes);
-      for (int s : sheets_near(complex, report, quality, std::max(smoothed.min_sj, 0.0) + kAsBad)) {
-        sheets.without.push_back(report.names[s]);
-        more = true;
-      }
-    }
+    run.context.log("with " + std::to_string(report.inserted) + " sheets: min SJ " + std::to_string(smoothed.min_sj));
+    if (trial > 0 && !is_better(smoothed, result.smoothing)) continue;
+    suspects.clear();
+    if (smoothed.inverted > 0 || smoothed.min_sj < kGoodEnough)
+      for (int s : sheets_near(complex, report, proved_scaled_jacobians(complex.points, complex.hexes), smoothed.min_sj + 1e-6))
+        suspects.push_back(report.names[s]);
+    sheets = std::move(tried);
     best = std::move(complex);
     result.sheets = std::move(report);
     result.smoothing = smoothed;

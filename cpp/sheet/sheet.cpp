@@ -67,17 +67,29 @@ SheetGroup join_groups(const HexComplex& complex, const SheetGroup& first, const
 
 std::string insert_sheet(HexComplex& complex, const FeatureShape& shape, const Geometry& geometry, const SheetGroup& group,
                          const SheetOptions& options, Context& context, std::vector<int>* covered) {
+  constexpr int kCuts = 12;
   const HexTopology topology = make_topology(complex);
-  const ShrinkSet set = choose_shrink_set(complex, topology, group, options, context);
-  if (!set.refusal.empty()) return set.refusal;
-  std::string refusal = insert_layer(complex, topology, shape, geometry, set, options);
-  if (refusal.empty() && covered) {
-    covered->clear();
-    for (int c = 0; c < static_cast<int>(set.covered.size()); ++c)
-      if (set.covered[c]) covered->push_back(c);
-    if (covered->empty()) *covered = {group.floor_chart};
+  std::vector<std::array<int, 2>> together;
+  LayerRefusal refusal;
+  for (int cut = 0; cut < kCuts; ++cut) {
+    const ShrinkSet set = choose_shrink_set(complex, topology, group, options, context, together);
+    if (!set.refusal.empty()) return refusal.refused() ? refusal.reason : set.refusal;
+    refusal = insert_layer(complex, topology, shape, geometry, set, options);
+    if (!refusal.refused()) {
+      if (!covered) return {};
+      covered->clear();
+      for (int c = 0; c < static_cast<int>(set.covered.size()); ++c)
+        if (set.covered[c]) covered->push_back(c);
+      if (covered->empty()) *covered = {group.floor_chart};
+      return {};
+    }
+    // Elsewhere, then: it may run past the edges where it turned off the curve, or across the curve there.
+    const std::size_t known = together.size();
+    for (const auto& e : refusal.bent_edges)
+      if (std::find(together.begin(), together.end(), e) == together.end()) together.push_back(e);
+    if (together.size() == known) break;
   }
-  return refusal;
+  return refusal.reason;
 }
 
 SheetReport insert_sheets(HexComplex& complex, const FeatureShape& shape, const Geometry& geometry, const SheetOptions& options,
@@ -98,9 +110,13 @@ SheetReport insert_sheets(HexComplex& complex, const FeatureShape& shape, const 
     if (!refusal.empty()) {
       ++report.refused;
       report.refusals.push_back(refusal);
-      context.log("sheet refused: " + refusal);
+      context.log((group.floor_chart >= 0 ? "floor's sheet refused: " : "sheet refused: ") + refusal);
       continue;
     }
+    std::string charts;
+    for (int c : covered) charts += " " + std::to_string(c);
+    context.log((group.floor_chart >= 0 ? "sheet under the floor of chart" : "sheet along charts") + charts + ": " +
+                std::to_string(complex.hex_count() - begin) + " hexahedra");
     ++report.inserted;
     report.chart_groups.push_back(std::move(covered));
     report.names.push_back(done.back());
@@ -120,9 +136,8 @@ std::vector<int> sheets_near(const HexComplex& complex, const SheetReport& repor
       for (int v : hex) near[v] = 1;
   std::vector<int> sheets;
   for (std::size_t s = 0; s < report.hexes.size(); ++s)
-    if (std::any_of(complex.hexes.begin() + report.hexes[s][0], complex.hexes.begin() + report.hexes[s][1], [&](const auto& hex) {
-          return std::any_of(hex.begin(), hex.end(), [&](int v) { return near[v] != 0; });
-        }))
+    if (std::any_of(complex.hexes.begin() + report.hexes[s][0], complex.hexes.begin() + report.hexes[s][1],
+                    [&](const auto& hex) { return std::any_of(hex.begin(), hex.end(), [&](int v) { return near[v] != 0; }); }))
       sheets.push_back(static_cast<int>(s));
   return sheets;
 }

@@ -207,9 +207,10 @@ TEST_CASE("a sheet that leaves along a CAD edge and turns off it within one quad
     break;
   }
   const auto before = part.complex.hexes;
-  const std::string refusal = insert_layer(part.complex, t, part.shape, part.geometry(), set, {});
-  CAPTURE(refusal);
-  CHECK(refusal.find("one quad") != std::string::npos);
+  const LayerRefusal refusal = insert_layer(part.complex, t, part.shape, part.geometry(), set, {});
+  CAPTURE(refusal.reason);
+  CHECK(refusal.reason.find("one quad") != std::string::npos);
+  CHECK(!refusal.bent_edges.empty());
   CHECK(part.complex.hexes == before);
 }
 
