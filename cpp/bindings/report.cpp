@@ -96,6 +96,7 @@ py::dict report_of(const Result& r) {
   py::dict sheets;
   sheets["inserted"] = r.sheets.inserted;
   sheets["refused"] = r.sheets.refused;
+  sheets["taken_back"] = r.sheets.taken_back;
   report["sheets"] = sheets;
 
   py::dict options;

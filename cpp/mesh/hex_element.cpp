@@ -125,6 +125,19 @@ bool proves_positive(const std::array<Vec3, 8>& corners, int depth) {
   return positive(b, depth);
 }
 
+double proved_scaled_jacobian(const std::array<Vec3, 8>& corners) {
+  const double q = scaled_jacobian(corners);
+  if (std::isnan(q)) return -1;
+  return q <= 0 || proves_positive(corners) ? q : 0;
+}
+
+std::vector<double> proved_scaled_jacobians(const std::vector<Vec3>& points, const std::vector<std::array<int, 8>>& hexes) {
+  std::vector<double> quality;
+  quality.reserve(hexes.size());
+  for (const auto& hex : hexes) quality.push_back(proved_scaled_jacobian(corners_of(points, hex)));
+  return quality;
+}
+
 double hex_volume(const std::vector<Vec3>& points, const std::array<int, 8>& hex) {
   double sum = 0;
   for (double c : jacobian_bernstein(points, hex)) sum += c;

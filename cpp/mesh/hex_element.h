@@ -30,6 +30,12 @@ double bernstein_minimum(const std::vector<Vec3>& points, const std::array<int, 
 bool proves_positive(const std::vector<Vec3>& points, const std::array<int, 8>& hex, int depth = 4);
 bool proves_positive(const std::array<Vec3, 8>& corners, int depth = 4);
 
+/// The scaled Jacobian of an element proved positive; of any other one a number <= 0 (NaN coordinates: -1). What smoothing and
+/// the choice of sheets go by, so that they count the same elements as inverted as the certificate does.
+double proved_scaled_jacobian(const std::array<Vec3, 8>& corners);
+/// The same for all elements of a mesh, one number each.
+std::vector<double> proved_scaled_jacobians(const std::vector<Vec3>& points, const std::vector<std::array<int, 8>>& hexes);
+
 /// Exact volume. Unit: volume.
 double hex_volume(const std::vector<Vec3>& points, const std::array<int, 8>& hex);
 

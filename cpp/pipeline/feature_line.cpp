@@ -57,43 +57,69 @@ void require_valid(const LabelResult& labels) {
                      "try a smaller element size, or simplify the faces named", cad_faces_of(labels.shape, worst.charts));
 }
 
-/// Smooth with the sheets that pay: all of them, or none where that ends better.
+/// Whether a smoothed mesh is worth more: fewer inverted elements, or a worst element better by what can be seen.
+bool is_better(const SmoothReport& a, const SmoothReport& b) {
+  constexpr double kSeen = 0.005;
+  return a.inverted != b.inverted ? a.inverted < b.inverted : a.min_sj > b.min_sj + kSeen;
+}
+
+/// Smooth with the sheets that pay. All of them at first; as long as the worst element lies at sheets, again without one of these, the
+/// last inserted first, and the better mesh is kept. What is far from every sheet is not their doing: then nothing is tried.
 HexComplex smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shape, const Geometry& geometry, Run& run) {
+  constexpr int kTrials = 6;
   SmoothOptions smoothing;
   smoothing.size = run.options.size;
   smoothing.threads = run.options.threads;
+  SheetOptions sheets;
+  sheets.size = run.options.size;
+  sheets.max_sheets = run.options.sheets ? sheets.max_sheets : 0;
   Result& result = run.result;
 
-  HexComplex complex = fitted;
-  if (run.options.sheets) {
-    run.begin("sheets");
-    SheetOptions sheets;
-    sheets.size = run.options.size;
-    result.sheets = insert_sheets(complex, shape, geometry, sheets, run.context);
-    result.mesh = complex;
-    run.complete();
-  }
-  run.begin("smooth");
-  result.smoothing = smooth(complex, *geometry.projector, smoothing, run.context);
-  if (result.sheets.inserted > 0 && result.smoothing.min_sj < kGoodEnough) {
-    HexComplex plain = fitted;
-    const SmoothReport report = smooth(plain, *geometry.projector, smoothing, run.context);
-    if (report.min_sj > result.smoothing.min_sj) {
-      result.sheets = {};
-      result.smoothing = report;
-      complex = std::move(plain);
+  HexComplex best;
+  std::vector<std::vector<int>> suspects;  // names; the next one to leave out last
+  for (int trial = 0; trial < kTrials; ++trial) {
+    SheetOptions tried = sheets;
+    if (trial > 0) {
+      if (suspects.empty()) break;
+      tried.without.push_back(suspects.back());
+      suspects.pop_back();
     }
+    run.begin("sheets");
+    HexComplex complex = fitted;
+    SheetReport report = insert_sheets(complex, shape, geometry, tried, run.context);
+    report.taken_back = static_cast<int>(tried.without.size());
+    if (trial == 0) result.mesh = complex;
+    if (trial == 0 && run.options.sheets) run.complete();
+    run.begin("smooth");
+    const SmoothReport smoothed = smooth(complex, *geometry.projector, smoothing, run.context);
+    run.context.log("with " + std::to_string(report.inserted) + " sheets: min SJ " + std::to_string(smoothed.min_sj));
+    if (trial > 0 && !is_better(smoothed, result.smoothing)) continue;
+    suspects.clear();
+    if (smoothed.inverted > 0 || smoothed.min_sj < kGoodEnough)
+      for (int s : sheets_near(complex, report, proved_scaled_jacobians(complex.points, complex.hexes), smoothed.min_sj + 1e-6))
+        suspects.push_back(report.names[s]);
+    sheets = std::move(tried);
+    best = std::move(complex);
+    result.sheets = std::move(report);
+    result.smoothing = smoothed;
   }
-  return complex;
+  return best;
+}
+
+/// Marks the points of the elements that are not proved positive.
+std::vector<char> points_of_inverted(const HexComplex& complex) {
+  const std::vector<double> quality = proved_scaled_jacobians(complex.points, complex.hexes);
+  std::vector<char> marked(complex.points.size(), 0);
+  for (int h = 0; h < complex.hex_count(); ++h)
+    if (!(quality[h] > 0))
+      for (int v : complex.hexes[h]) marked[v] = 1;
+  return marked;
 }
 
 /// CAD edges that run inside a chart, are followed by a chain of mesh edges, and touch an inverted element or a neighbour of one:
 /// letting them go is what may make it valid. Tangent ones first: a mesh loses less without them. Sorted.
 std::vector<int> edges_to_release(const HexComplex& complex, const Geometry& geometry) {
-  std::vector<char> near(complex.points.size(), 0);
-  for (const auto& hex : complex.hexes)
-    if (!(scaled_jacobian(complex.points, hex) > 0))
-      for (int v : hex) near[v] = 1;
+  const std::vector<char> near = points_of_inverted(complex);
   std::vector<char> ring = near;
   for (const auto& hex : complex.hexes)
     if (std::any_of(hex.begin(), hex.end(), [&](int v) { return near[v] != 0; }))
@@ -120,10 +146,7 @@ std::vector<int> edges_to_release(const HexComplex& complex, const Geometry& geo
 
 /// CAD faces of the quads that share a point with an inverted element.
 std::vector<int> faces_near_inverted(const HexComplex& complex) {
-  std::vector<char> near(complex.points.size(), 0);
-  for (const auto& hex : complex.hexes)
-    if (!(scaled_jacobian(complex.points, hex) > 0))
-      for (int v : hex) near[v] = 1;
+  const std::vector<char> near = points_of_inverted(complex);
   std::set<int> faces;
   for (std::size_t q = 0; q < complex.quads.size(); ++q)
     if (std::any_of(complex.quads[q].begin(), complex.quads[q].end(), [&](int v) { return near[v] != 0; }))

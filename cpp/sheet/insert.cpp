@@ -29,20 +29,21 @@ class Inserter {
            const ShrinkSet& set, double thickness)
       : old_(complex), topology_(topology), shape_(shape), geometry_(geometry), set_(set), thickness_(thickness), result_(complex) {}
 
-  std::string run(HexComplex& complex) {
+  LayerRefusal run(HexComplex& complex) {
     collect_sheet();
-    if (sheet_.empty()) return "the sheet would be empty";
+    if (sheet_.empty()) return {"the sheet would be empty", {}};
     collect_copies();
     for (const Copy& c : copies_) {
       add_node(c);
-      if (!refusal_.empty()) return refusal_;
+      if (refusal_.refused()) return refusal_;
     }
     add_layer();
     move_quads();
     move_feature_edges();
-    if (bends_a_curve()) return "the sheet would leave along a CAD edge and turn off it within one quad";
+    check_curves();
+    if (refusal_.refused()) return refusal_;
     const std::string wrong = check_complex(result_);
-    if (!wrong.empty()) return wrong;
+    if (!wrong.empty()) return {wrong, {}};
     complex = std::move(result_);
     return {};
   }
@@ -155,7 +156,7 @@ class Inserter {
       if (old_.quad_chart[e->quads[0]] != old_.quad_chart[e->quads[1]]) arc = e, ++arcs;
     }
     if (curves > 1 || arcs > 1) {
-      refusal_ = "the sheet would cut a corner off the part";
+      refusal_.reason = "the sheet would cut a corner off the part";
       return;
     }
     CadPlace place;
@@ -367,15 +368,22 @@ class Inserter {
     }
   }
 
-  // A new quad with two neighbouring edges on one CAD edge would have a corner of 180 degrees.
-  bool bends_a_curve() const {
+  // A new quad with two neighbouring edges on one CAD edge would have a corner of 180 degrees. Sets the refusal.
+  void check_curves() {
     for (std::size_t q = old_.quads.size(); q < result_.quads.size(); ++q)
       for (int i = 0; i < 4; ++i) {
         const auto& n = result_.quads[q];
-        const int cad = feature_of(result_, n[i], n[(i + 1) % 4]);
-        if (cad > 0 && cad == feature_of(result_, n[(i + 1) % 4], n[(i + 2) % 4])) return true;
+        const int cad = feature_of(result_, n[i], n[(i + 1) % 4]), node = n[(i + 1) % 4];
+        if (cad == 0 || cad != feature_of(result_, node, n[(i + 2) % 4])) continue;
+        refusal_.reason = "the sheet would leave along CAD edge " + std::to_string(cad) + " and turn off it within one quad";
+        const int old_node = node < old_.point_count() ? node : copies_[node - old_.point_count()].node;
+        for (std::size_t e = 0; e < old_.feature_edges.size(); ++e) {
+          const auto& nodes = old_.feature_edges[e];
+          if (old_.feature_edge_cad[e] == cad && (nodes[0] == old_node || nodes[1] == old_node)) refusal_.bent_edges.push_back(nodes);
+        }
       }
-    return false;
+    std::sort(refusal_.bent_edges.begin(), refusal_.bent_edges.end());
+    refusal_.bent_edges.erase(std::unique(refusal_.bent_edges.begin(), refusal_.bent_edges.end()), refusal_.bent_edges.end());
   }
 
   // All hexahedra round a boundary edge shrink: no sheet face there.
@@ -395,13 +403,13 @@ class Inserter {
   std::vector<int> sheet_;  // sides of shrinking hexahedra that the sheet lies on
   std::vector<Copy> copies_;
   std::vector<int> copy_at_;  // per hexahedron corner: its new node, or -1
-  std::string refusal_;
+  LayerRefusal refusal_;
 };
 
 }  // namespace
 
-std::string insert_layer(HexComplex& complex, const HexTopology& topology, const FeatureShape& shape, const Geometry& geometry,
-                         const ShrinkSet& set, const SheetOptions& options) {
+LayerRefusal insert_layer(HexComplex& complex, const HexTopology& topology, const FeatureShape& shape, const Geometry& geometry,
+                          const ShrinkSet& set, const SheetOptions& options) {
   return Inserter(complex, topology, shape, geometry, set, options.thickness).run(complex);
 }
 

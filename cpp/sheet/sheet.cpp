@@ -17,6 +17,10 @@ std::vector<int> name_of(const SheetGroup& group) {
 
 bool same_sheet(const SheetGroup& a, const SheetGroup& b) { return name_of(a) == name_of(b); }
 
+bool is_left_out(const SheetGroup& group, const SheetOptions& options) {
+  return std::find(options.without.begin(), options.without.end(), name_of(group)) != options.without.end();
+}
+
 SheetGroup united(const SheetGroup& a, const SheetGroup& b) {
   SheetGroup u = a;
   u.charts.insert(u.charts.end(), b.charts.begin(), b.charts.end());
@@ -43,7 +47,8 @@ SheetGroup join_groups(const HexComplex& complex, const SheetGroup& first, const
   ShrinkSet set = choose_shrink_set(complex, topology, joined, options, context);
   for (const SheetGroup& other : groups) {
     if (!set.refusal.empty()) break;
-    if (other.floor_chart >= 0 || same_sheet(other, first) || touching(complex, topology, joined, other)) continue;
+    if (other.floor_chart >= 0 || same_sheet(other, first) || is_left_out(other, options) || touching(complex, topology, joined, other))
+      continue;
     const ShrinkSet alone = choose_shrink_set(complex, topology, other, options, context);
     const SheetGroup both = united(joined, other);
     ShrinkSet together = choose_shrink_set(complex, topology, both, options, context);
@@ -62,25 +67,35 @@ SheetGroup join_groups(const HexComplex& complex, const SheetGroup& first, const
 
 std::string insert_sheet(HexComplex& complex, const FeatureShape& shape, const Geometry& geometry, const SheetGroup& group,
                          const SheetOptions& options, Context& context, std::vector<int>* covered) {
+  constexpr int kCuts = 12;
   const HexTopology topology = make_topology(complex);
-  const ShrinkSet set = choose_shrink_set(complex, topology, group, options, context);
-  if (!set.refusal.empty()) return set.refusal;
-  std::string refusal = insert_layer(complex, topology, shape, geometry, set, options);
-  if (refusal.empty() && covered) {
-    covered->clear();
-    for (int c = 0; c < static_cast<int>(set.covered.size()); ++c)
-      if (set.covered[c]) covered->push_back(c);
-    if (covered->empty()) *covered = {group.floor_chart};
+  std::vector<std::array<int, 2>> together;
+  LayerRefusal refusal;
+  for (int cut = 0; cut < kCuts; ++cut) {
+    const ShrinkSet set = choose_shrink_set(complex, topology, group, options, context, together);
+    if (!set.refusal.empty()) return refusal.refused() ? refusal.reason : set.refusal;
+    refusal = insert_layer(complex, topology, shape, geometry, set, options);
+    if (!refusal.refused()) {
+      if (!covered) return {};
+      covered->clear();
+      for (int c = 0; c < static_cast<int>(set.covered.size()); ++c)
+        if (set.covered[c]) covered->push_back(c);
+      if (covered->empty()) *covered = {group.floor_chart};
+      return {};
+    }
+    // Elsewhere, then: it may run past the edges where it turned off the curve, or across the curve there.
+    const std::size_t known = together.size();
+    for (const auto& e : refusal.bent_edges)
+      if (std::find(together.begin(), together.end(), e) == together.end()) together.push_back(e);
+    if (together.size() == known) break;
   }
-  return refusal;
+  return refusal.reason;
 }
 
 SheetReport insert_sheets(HexComplex& complex, const FeatureShape& shape, const Geometry& geometry, const SheetOptions& options,
-                          Context& context, const SheetJudge& judge) {
+                          Context& context) {
   SheetReport report;
-  double score = 0;
-  bool judged = false;                 // `score` is that of `complex`
-  std::vector<std::vector<int>> done;  // groups tried: a refused one, or one still smooth after its sheet, is not tried again
+  std::vector<std::vector<int>> done = options.without;  // a refused group, or one still smooth after its sheet, is not tried again
   while (report.inserted < options.max_sheets) {
     context.progress("sheet", report.inserted / (report.inserted + 2.0));
     const std::vector<SheetGroup> groups = find_sheet_groups(complex, geometry, options);
@@ -90,29 +105,41 @@ SheetReport insert_sheets(HexComplex& complex, const FeatureShape& shape, const 
     done.push_back(name_of(*next));
     const SheetGroup group = next->floor_chart >= 0 ? *next : join_groups(complex, *next, groups, options, context);
     std::vector<int> covered;
-    HexComplex padded = complex;
-    const std::string refusal = insert_sheet(padded, shape, geometry, group, options, context, &covered);
+    const int begin = complex.hex_count();
+    const std::string refusal = insert_sheet(complex, shape, geometry, group, options, context, &covered);
     if (!refusal.empty()) {
       ++report.refused;
       report.refusals.push_back(refusal);
-      context.log("sheet refused: " + refusal);
+      context.log((group.floor_chart >= 0 ? "floor's sheet refused: " : "sheet refused: ") + refusal);
       continue;
     }
-    if (judge) {
-      if (!judged) score = judge(complex);
-      judged = true;
-      const double padded_score = judge(padded);
-      if (padded_score < score) {
-        ++report.taken_back;
-        continue;
-      }
-      score = padded_score;
-    }
-    complex = std::move(padded);
+    std::string charts;
+    for (int c : covered) charts += " " + std::to_string(c);
+    context.log((group.floor_chart >= 0 ? "sheet under the floor of chart" : "sheet along charts") + charts + ": " +
+                std::to_string(complex.hex_count() - begin) + " hexahedra");
     ++report.inserted;
     report.chart_groups.push_back(std::move(covered));
+    report.names.push_back(done.back());
+    report.hexes.push_back({begin, complex.hex_count()});
   }
   return report;
+}
+
+std::vector<int> sheets_near(const HexComplex& complex, const SheetReport& report, const std::vector<double>& quality, double limit) {
+  std::vector<char> bad(complex.points.size(), 0);
+  for (int h = 0; h < complex.hex_count(); ++h)
+    if (quality[h] < limit)
+      for (int v : complex.hexes[h]) bad[v] = 1;
+  std::vector<char> near = bad;
+  for (const auto& hex : complex.hexes)
+    if (std::any_of(hex.begin(), hex.end(), [&](int v) { return bad[v] != 0; }))
+      for (int v : hex) near[v] = 1;
+  std::vector<int> sheets;
+  for (std::size_t s = 0; s < report.hexes.size(); ++s)
+    if (std::any_of(complex.hexes.begin() + report.hexes[s][0], complex.hexes.begin() + report.hexes[s][1],
+                    [&](const auto& hex) { return std::any_of(hex.begin(), hex.end(), [&](int v) { return near[v] != 0; }); }))
+      sheets.push_back(static_cast<int>(s));
+  return sheets;
 }
 
 }  // namespace hexfeature

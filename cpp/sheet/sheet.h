@@ -1,7 +1,6 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #pragma once
 #include <array>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,6 +19,7 @@ struct SheetOptions {
   double floor_angle = 140;   ///< degrees: a pocket floor's quad with a larger corner at the foot of the wall needs a sheet
   double thickness = 0.3;     ///< of the neighbouring edge, at insertion
   int max_sheets = 64;        ///< insert at most so many: with 0, 1, 2, ... a caller sees what each sheet buys
+  std::vector<std::vector<int>> without;  ///< names of sheets (SheetReport::names) that are not to be inserted
 };
 
 /// Charts that join smoothly, and where: one sheet is to run along them.
@@ -31,10 +31,17 @@ struct SheetGroup {
 };
 
 struct SheetReport {
-  int inserted = 0, refused = 0, taken_back = 0;
+  int inserted = 0, refused = 0;
+  int taken_back = 0;                          ///< inserted at first, and left out of the mesh because it is better without (by the caller)
   std::vector<std::vector<int>> chart_groups;  ///< per inserted sheet (charts it covers; a floor: that chart)
+  std::vector<std::vector<int>> names;         ///< per inserted sheet: what tells it from others, whichever of them are inserted
+  std::vector<std::array<int, 2>> hexes;       ///< per inserted sheet: its hexahedra [begin, end)
   std::vector<std::string> refusals;           ///< per refused sheet: why
 };
+
+/// Which of the inserted sheets come near (one element away) to a hexahedron whose quality (one per hexahedron) is below `limit`: it may be
+/// their doing. Indices into the report's lists.
+std::vector<int> sheets_near(const HexComplex& complex, const SheetReport& report, const std::vector<double>& quality, double limit);
 
 /// Where O-grid sheets are needed (experiments B1): borders between charts with one cell inside (so that this cell would be
 /// flat), smooth in the fitted quads and not on a sharp CAD edge; joined to groups. The largest group first.
@@ -46,15 +53,12 @@ std::vector<SheetGroup> find_sheet_groups(const HexComplex& complex, const Geome
 std::string insert_sheet(HexComplex& complex, const FeatureShape& shape, const Geometry& geometry, const SheetGroup& group,
                          const SheetOptions& options, Context& context, std::vector<int>* covered = nullptr);
 
-/// How good a complex is once smoothed: larger is better. Supplied by the caller, as this room does not know smoothing.
-using SheetJudge = std::function<double(const HexComplex&)>;
-
 /// Insert O-grid sheets where chart borders lie on smooth surface (design 3.7, experiments B1-B3): one sheet per group of
 /// smoothly joined charts, one after another, measured anew after each; its shrink set chosen as a minimum cut over blocks,
 /// leaving through sharp faces. `complex` must be fitted (fit_boundary). New nodes get positions, shape and CAD places.
-/// A sheet that the local rules forbid is refused and counted; with a `judge`, one that makes the complex worse is taken back.
+/// A sheet that the local rules forbid is refused and counted.
 /// Throws MeshingError(NoMesh, "sheet") only when the complex that comes in is not a conforming one whose boundary is `quads`.
 SheetReport insert_sheets(HexComplex& complex, const FeatureShape& shape, const Geometry& geometry, const SheetOptions& options,
-                          Context& context, const SheetJudge& judge = {});
+                          Context& context);
 
 }  // namespace hexfeature

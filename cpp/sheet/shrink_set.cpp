@@ -33,8 +33,14 @@ struct Terminals {
 
 class Chooser {
  public:
-  Chooser(const HexComplex& complex, const HexTopology& topology, const SheetGroup& group, const SheetOptions& options)
-      : complex_(complex), topology_(topology), group_(group), options_(options), block_(dense_blocks(complex, block_count_)) {
+  Chooser(const HexComplex& complex, const HexTopology& topology, const SheetGroup& group, const SheetOptions& options,
+          const std::vector<std::array<int, 2>>& together)
+      : complex_(complex),
+        topology_(topology),
+        group_(group),
+        options_(options),
+        together_(together),
+        block_(dense_blocks(complex, block_count_)) {
     int charts = 0;
     for (int c : complex.quad_chart) charts = std::max(charts, c + 1);
     covered_.assign(charts, 0);
@@ -125,6 +131,13 @@ class Chooser {
       }
     }
     for (const auto& e : topology_.edges) discourage_bad_exit(e, links);
+    for (const auto& nodes : together_)
+      if (const auto* e = topology_.find_edge(nodes[0], nodes[1]))
+        for (int i = 1; i < e->count; ++i) {
+          const int a = block_[topology_.edge_hexes[e->first]], b = block_[topology_.edge_hexes[e->first + i]];
+          links.push_back({a, b, infinite});
+          links.push_back({b, a, infinite});
+        }
     for (int b = 0; b < block_count_; ++b) {
       if (t.source[b]) links.push_back({source, b, infinite});
       if (t.sink[b]) links.push_back({b, sink, infinite});
@@ -132,6 +145,7 @@ class Chooser {
     const std::vector<char> side = largest_minimum_cut(block_count_ + 2, links, source, sink);
     for (const CutArc& l : links)
       if (side[l.from] && !side[l.to]) set.cost += l.capacity;
+    if (set.cost >= infinite) set.refusal = "hexahedra that belong together must both shrink and stay";
     set.inside.resize(block_.size());
     for (std::size_t h = 0; h < block_.size(); ++h) set.inside[h] = side[block_[h]];
     set.covered = covered_;
@@ -155,6 +169,7 @@ class Chooser {
   const HexTopology& topology_;
   const SheetGroup& group_;
   const SheetOptions& options_;
+  const std::vector<std::array<int, 2>>& together_;
   int block_count_ = 0;
   std::vector<int> block_;     // per hexahedron
   std::vector<char> covered_;  // per chart
@@ -199,8 +214,8 @@ std::vector<char> largest_minimum_cut(int node_count, std::vector<CutArc> arcs, 
 }
 
 ShrinkSet choose_shrink_set(const HexComplex& complex, const HexTopology& topology, const SheetGroup& group, const SheetOptions& options,
-                            Context& context) {
-  return Chooser(complex, topology, group, options).choose(context);
+                            Context& context, const std::vector<std::array<int, 2>>& together) {
+  return Chooser(complex, topology, group, options, together).choose(context);
 }
 
 }  // namespace hexfeature

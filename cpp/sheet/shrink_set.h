@@ -22,8 +22,9 @@ struct ShrinkSet {
 /// a cup. A block wanted on both sides: the free charts concerned join the group, and again. Costs per lattice face: between blocks 100,
 /// covered 5, leaving through a free one 0; leaving at a concave edge so that too few hexahedra stay there, 3000 per edge. Of all minimum
 /// cuts the one with the largest set. Deterministic.
+/// `together`: boundary edges (smaller node first) whose hexahedra must all shrink or all stay.
 ShrinkSet choose_shrink_set(const HexComplex& complex, const HexTopology& topology, const SheetGroup& group, const SheetOptions& options,
-                            Context& context);
+                            Context& context, const std::vector<std::array<int, 2>>& together = {});
 
 struct CutArc {
   int from, to;
@@ -33,9 +34,17 @@ struct CutArc {
 /// source's side.
 std::vector<char> largest_minimum_cut(int node_count, std::vector<CutArc> arcs, int source, int sink);
 
-/// Fill the gap between `set` and the rest with one hexahedron per face of the sheet (experiments B3). Returns an empty string, or why the
-/// local rules forbid it; then `complex` is as it was.
-std::string insert_layer(HexComplex& complex, const HexTopology& topology, const FeatureShape& shape, const Geometry& geometry,
-                         const ShrinkSet& set, const SheetOptions& options);
+/// Why the local rules forbid a sheet.
+struct LayerRefusal {
+  std::string reason;                          ///< empty: they do not
+  std::vector<std::array<int, 2>> bent_edges;  ///< the sheet would leave along one of these edges of a CAD curve and turn off at the next
+
+  bool refused() const { return !reason.empty(); }
+};
+
+/// Fill the gap between `set` and the rest with one hexahedron per face of the sheet (experiments B3). When it is refused, `complex` is as
+/// it was.
+LayerRefusal insert_layer(HexComplex& complex, const HexTopology& topology, const FeatureShape& shape, const Geometry& geometry,
+                          const ShrinkSet& set, const SheetOptions& options);
 
 }  // namespace hexfeature

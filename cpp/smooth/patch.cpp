@@ -13,9 +13,7 @@ namespace {
 double quality_of(const double* x, const std::array<int, 8>& hex) {
   std::array<Vec3, 8> corners;
   for (int k = 0; k < 8; ++k) corners[k] = Eigen::Map<const Vec3>(x + 3 * hex[k]);
-  const double q = scaled_jacobian(corners);
-  if (std::isnan(q)) return -1;
-  return q <= 0 || proves_positive(corners) ? q : 0;
+  return proved_scaled_jacobian(corners);
 }
 
 double shortest_edge(const std::vector<double>& x, const std::array<int, 8>& hex) {

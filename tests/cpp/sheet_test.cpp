@@ -207,23 +207,39 @@ TEST_CASE("a sheet that leaves along a CAD edge and turns off it within one quad
     break;
   }
   const auto before = part.complex.hexes;
-  const std::string refusal = insert_layer(part.complex, t, part.shape, part.geometry(), set, {});
-  CAPTURE(refusal);
-  CHECK(refusal.find("one quad") != std::string::npos);
+  const LayerRefusal refusal = insert_layer(part.complex, t, part.shape, part.geometry(), set, {});
+  CAPTURE(refusal.reason);
+  CHECK(refusal.reason.find("one quad") != std::string::npos);
+  CHECK(!refusal.bent_edges.empty());
   CHECK(part.complex.hexes == before);
 }
 
-TEST_CASE("a judge takes sheets back") {
+TEST_CASE("sheets are left out by name, one by one; those near bad elements are found") {
   auto part = flange_part();
   const auto before = part.complex.hexes;
-  Context context;
-  SheetReport report =
-      insert_sheets(part.complex, part.shape, part.geometry(), {}, context, [](const HexComplex& c) { return -c.hex_count(); });
-  CHECK(report.inserted == 0);
-  CHECK(report.taken_back == 2);
-  CHECK(part.complex.hexes == before);
-  report = insert_sheets(part.complex, part.shape, part.geometry(), {}, context, [](const HexComplex& c) { return c.hex_count(); });
-  CHECK(report.inserted == 2);
+  auto again = flange_part();
+  const SheetReport all = run(part);
+  REQUIRE(all.names.size() == 2);
+  CHECK(all.names[0] != all.names[1]);
+  CHECK(all.hexes[0][0] == static_cast<int>(before.size()));
+  CHECK(all.hexes[0][1] == all.hexes[1][0]);
+  CHECK(all.hexes[1][1] == part.complex.hex_count());
+
+  std::vector<double> quality(part.complex.hexes.size(), 1.0);
+  CHECK(sheets_near(part.complex, all, quality, 0.5).empty());
+  quality[all.hexes[1][0]] = 0.1;
+  const std::vector<int> near = sheets_near(part.complex, all, quality, 0.5);
+  CHECK(std::count(near.begin(), near.end(), 1) == 1);
+
+  SheetOptions options;
+  options.without = {all.names[0]};
+  const SheetReport rest = run(again, options);
+  CHECK(rest.names == std::vector<std::vector<int>>{all.names[1]});
+  CHECK(check_complex(again.complex) == "");
+  auto none = flange_part();
+  options.without = all.names;
+  CHECK(run(none, options).inserted == 0);
+  CHECK(none.complex.hexes == before);
 }
 
 TEST_CASE("an edge that is sharp in the CAD needs no sheet, however its quads lie") {
