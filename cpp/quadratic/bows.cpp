@@ -89,7 +89,7 @@ void bend_along_faces(const HexComplex& complex, const MeshEdges& edges, const P
     if (i % 256 == 0) context.check();
     if (own) continue;
     const FacePoint p = projector.project_to_face(face, bows.chord[e] + bows.bow[e], nullptr);
-    value[i] = along(bows.bow[e], p.normal);
+    value[i] = along(bows.bow[e], p.normal) / bows.length[e];
   }
   solve_harmonic(pairs, fixed, value, context);
   for (std::size_t i = 0; i < slots.size(); ++i) {
@@ -98,7 +98,7 @@ void bend_along_faces(const HexComplex& complex, const MeshEdges& edges, const P
     if (i % 256 == 0) context.check();
     const FacePoint p = projector.project_to_face(face, bows.chord[e], nullptr);
     const Vec3 across = (p.point - bows.chord[e]).dot(p.normal) * p.normal;
-    bows.bow[e] = across + value[i];
+    bows.bow[e] = across + bows.length[e] * value[i];
     put_on_face(bows, e, projector);
   }
 }
@@ -116,7 +116,12 @@ Bows place_mid_sides(const HexComplex& complex, const MeshEdges& edges, const Pr
   bows.bow.assign(edges.count(), Vec3::Zero());
   bows.place.assign(edges.count(), CadPlace{});
   bows.chord.resize(edges.count());
-  for (int e = 0; e < edges.count(); ++e) bows.chord[e] = 0.5 * (complex.points[edges.nodes[e][0]] + complex.points[edges.nodes[e][1]]);
+  bows.length.resize(edges.count());
+  for (int e = 0; e < edges.count(); ++e) {
+    const Vec3 &a = complex.points[edges.nodes[e][0]], &b = complex.points[edges.nodes[e][1]];
+    bows.chord[e] = 0.5 * (a + b);
+    bows.length[e] = (b - a).norm();
+  }
 
   for (std::size_t q = 0; q < complex.quads.size(); ++q)
     for (int e : edges.of_quad[q])
@@ -137,7 +142,11 @@ Bows place_mid_sides(const HexComplex& complex, const MeshEdges& edges, const Pr
     for (const auto& [a, b] : kOpposite) pairs.push_back({e[a], e[b]});
   std::vector<char> fixed(edges.count());
   for (int e = 0; e < edges.count(); ++e) fixed[e] = bows.place[e].dim < 3;
-  solve_harmonic(pairs, fixed, bows.bow, context);
+  std::vector<Vec3> turn(edges.count());
+  for (int e = 0; e < edges.count(); ++e) turn[e] = bows.bow[e] / bows.length[e];
+  solve_harmonic(pairs, fixed, turn, context);
+  for (int e = 0; e < edges.count(); ++e)
+    if (!fixed[e]) bows.bow[e] = bows.length[e] * turn[e];
   return bows;
 }
 
