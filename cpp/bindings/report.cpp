@@ -72,8 +72,18 @@ py::dict report_of(const Result& r) {
   cad["largest_node_deviation"] = q.deviation;
   cad["faces_without_quads"] = r.faces_without_quads;
   cad["sharp_edges_not_followed"] = r.sharp_edges_not_followed;
-  cad["straightened_mid_nodes"] = r.straightened;
+  cad["straightened_mid_nodes"] = static_cast<int>(r.straightened.size());
   report["faithfulness"] = cad;
+
+  if (!r.hexes20.empty()) {
+    py::dict second;
+    second["proved_positive"] = r.certified;
+    second["least_jacobian"] = r.least_jacobian20;
+    second["largest_mid_side_deviation"] = r.mid_side_deviation;
+    second["straightened_nodes"] = r.straightened;
+    second["straightened_faces"] = r.straightened_faces;
+    report["second_order"] = second;
+  }
 
   py::dict labels;
   labels["charts"] = r.labels.shape.chart_count();

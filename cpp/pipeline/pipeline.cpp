@@ -84,7 +84,10 @@ void mesh_part(Part& part, Run& run) {
     result.quads8 = std::move(quadratic.quads);
     result.mesh.points.insert(result.mesh.points.end(), quadratic.mid_points.begin(), quadratic.mid_points.end());
     result.mesh.place.insert(result.mesh.place.end(), quadratic.mid_place.begin(), quadratic.mid_place.end());
-    result.straightened = quadratic.straightened;
+    result.straightened = std::move(quadratic.straightened);
+    result.straightened_faces = std::move(quadratic.straightened_faces);
+    result.least_jacobian20 = quadratic.least_jacobian;
+    result.mid_side_deviation = quadratic.deviation;
   }
   result.certified = true;
 }

@@ -51,7 +51,10 @@ struct Result {
   HexComplex mesh;
   std::vector<std::array<int, 20>> hexes20;  ///< order 2: VTK node order, points appended to mesh.points; else empty
   std::vector<std::array<int, 8>> quads8;
-  int straightened = 0;  ///< boundary mid-side nodes that had to leave the CAD for their element's sake
+  std::vector<int> straightened;        ///< boundary mid-side nodes that had to leave the CAD for their element's sake
+  std::vector<int> straightened_faces;  ///< CAD faces with such a node
+  double least_jacobian20 = 0;          ///< least determinant at C3D20's and C3D20R's integration points and the nodes, over the mean
+  double mid_side_deviation = 0;        ///< largest distance of a mid-side node from its CAD entity
 
   QualityReport quality;
   SheetReport sheets;

@@ -1,0 +1,258 @@
+#!/usr/bin/python3
+# HexFeatureWB - LGPL-2.1-or-later
+"""Loads land right: benchmarks/verification/freecad_loads.py OUT_DIR [PART ...]
+
+Each of the project's own parts in a FreeCAD document, meshed with 20-node hexahedra, fixed on its largest plane face, and
+loaded in turn by each kind of constraint; FreeCAD writes the deck and CalculiX solves it. The reaction's force and moment
+(about the origin, over force times the part's diagonal) must be the load's, which is known from the CAD alone. A mirrored and a
+moved copy of each part must bend as the part does. Leaves OUT_DIR/loads.json. Exit code 1 when a figure exceeds its limit.
+"""
+import json
+import math
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+sys.path[:0] = [str(HERE), str(ROOT / "python"), str(ROOT / "tests" / "parts")]
+sys.path += ["/usr/lib/freecad-python3/lib", "/usr/lib/freecad/lib", "/usr/lib/freecad/Mod", "/usr/lib/freecad/Mod/Fem"]
+import FreeCAD  # noqa: E402
+import Part  # noqa: E402
+
+import HexFeatureWB  # noqa: E402
+from HexFeatureWB import analysis  # noqa: E402
+import make_parts  # noqa: E402
+
+V = FreeCAD.Vector
+DENSITY, GRAVITY, TURNS = 7900e-12, 9806.65, 50.0  # t/mm3, mm/s2, 1/s
+LIMIT = 1e-3
+#: coarser than for stresses: equilibrium does not depend on it
+COARSER = 1.4
+
+
+class Case:
+    """One part, fixed on one face, with its mesh; solves for one constraint after another."""
+
+    def __init__(self, shape, size, folder):
+        self.folder = folder
+        self.document = FreeCAD.newDocument("Loads")
+        self.part = self.document.addObject("Part::Feature", "Part")
+        self.part.Shape = shape
+        self.shape = self.part.Shape
+        self.faces = self.shape.Faces
+        plane = [n for n, f in enumerate(self.faces) if isinstance(f.Surface, Part.Plane)]
+        self.fixed = max(plane, key=lambda n: self.faces[n].Area)
+        self.curved = sorted((n for n in range(len(self.faces)) if n not in plane), key=lambda n: -self.faces[n].Area)
+        self.mesh = HexFeatureWB.mesh(self.part, size=size, order=2)
+
+    def far_face(self):
+        """The plane face whose centre is farthest from the fixed one, and is not in its plane."""
+        centre = self.faces[self.fixed].CenterOfMass
+        others = [n for n, f in enumerate(self.faces) if n != self.fixed and isinstance(f.Surface, Part.Plane)]
+        return max(others, key=lambda n: (self.faces[n].CenterOfMass - centre).Length)
+
+    def solve(self, tag, *constraints):
+        """Reaction's force and moment about the origin over all fixed nodes, and the largest displacement."""
+        document = self.document
+        study, solver = analysis.static_analysis(document, self.mesh, [(self.part, ("Face%d" % (self.fixed + 1),))],
+                                                 [(self.part, ("Face%d" % (self.far_face() + 1),))], 1.0)
+        for member in list(study.Group):  # no load but the one in question
+            if member.Name.startswith("Force"):
+                study.removeObject(member)
+        for constraint in constraints:
+            study.addObject(constraint)
+        document.recompute()
+        try:
+            return self._run(study, solver, os.path.join(self.folder, tag))
+        finally:
+            for member in [m for m in study.Group if m is not self.mesh]:
+                document.removeObject(member.Name)
+            study.Group = []
+            document.removeObject(study.Name)
+
+    def _run(self, study, solver, folder):
+        from femtools.ccxtools import FemToolsCcx
+
+        os.makedirs(folder, exist_ok=True)
+        tools = FemToolsCcx(study, solver, test_mode=False)
+        tools.update_objects()
+        tools.setup_working_dir(folder)
+        tools.setup_ccx()
+        problem = tools.check_prerequisites()
+        if problem:
+            raise RuntimeError(problem)
+        tools.write_inp_file()
+        path = tools.inp_file_name
+        text = Path(path).read_text()
+        Path(path).write_text(text.replace("TOTALS=ONLY", "TOTALS=YES"))  # every node's reaction, for the moment
+        done = subprocess.run(["ccx", os.path.splitext(os.path.basename(path))[0]], cwd=os.path.dirname(path), capture_output=True,
+                              text=True, errors="replace")
+        if "Job finished" not in done.stdout:
+            raise RuntimeError(done.stdout[-800:])
+        return self._read(os.path.splitext(path)[0])
+
+    def _read(self, stem):
+        import calculix
+
+        nodes, force, moment = self.mesh.FemMesh.Nodes, V(), V()
+        inside, seen = False, set()
+        for line in Path(stem + ".dat").read_text().splitlines():
+            if "force" in line:
+                inside = line.strip().startswith("forces")
+            row = line.split()
+            if inside and len(row) == 4 and row[0].isdigit() and row[0] not in seen:
+                seen.add(row[0])
+                f = V(*map(float, row[1:]))
+                force += f
+                moment += nodes[int(row[0])].cross(f)
+        if not seen:
+            raise RuntimeError("no reaction forces in " + stem + ".dat")
+        u = calculix.read_frd(stem + ".frd")["U"]
+        return force, moment, float(max((u[n][0] ** 2 + u[n][1] ** 2 + u[n][2] ** 2) ** 0.5 for n in range(len(u)) if u[n][0] == u[n][0]))
+
+    def close(self):
+        FreeCAD.closeDocument(self.document.Name)
+
+
+def pressure_of(face, reversed_face=False):
+    """Force and moment of a unit pressure on a face: the vector area depends on the border only, so triangles do."""
+    points, triangles = face.tessellate(0.002)
+    force, moment = V(), V()
+    for a, b, c in triangles:
+        a, b, c = points[a], points[b], points[c]
+        area = (b - a).cross(c - a) * 0.5
+        force -= area
+        moment -= (a + b + c).multiply(1 / 3).cross(area)
+    return force, moment
+
+
+def quantity(obj, name, value, unit):
+    """A plain number on 0.20, a quantity on 1.1."""
+    try:
+        setattr(obj, name, value)
+    except TypeError:
+        setattr(obj, name, "%r %s" % (value, unit))
+
+
+def constraints_of(case):
+    """(name, constraints, force, moment or None): what each puts on the part, by the CAD."""
+    import ObjectsFem
+
+    document, part, shape = case.document, case.part, case.shape
+    far = case.far_face()
+    normal = case.faces[far].normalAt(0, 0)
+    loaded = [("force on a plane face", far)] + ([("force on a curved face", case.curved[0])] if case.curved else [])
+    for name, face in loaded:
+        c = ObjectsFem.makeConstraintForce(document, "Load")
+        c.References = [(part, ("Face%d" % (face + 1),))]
+        quantity(c, "Force", 1000.0, "N")
+        c.Direction = (part, ("Face%d" % (far + 1),))
+        document.recompute()
+        force = V(c.DirectionVector) * 1000.0
+        yield name, [c], force, case.faces[face].CenterOfMass.cross(force)
+    centre = case.faces[case.fixed].CenterOfMass
+    straight = [n for n, e in enumerate(shape.Edges) if isinstance(e.Curve, (Part.Line, Part.LineSegment)) and e.Length > 1e-6]
+    if straight:
+        edge = max(straight, key=lambda n: (shape.Edges[n].CenterOfMass - centre).Length)
+        c = ObjectsFem.makeConstraintForce(document, "Load")
+        c.References = [(part, ("Edge%d" % (edge + 1),))]
+        quantity(c, "Force", 1000.0, "N")
+        c.Direction = (part, ("Face%d" % (far + 1),))
+        document.recompute()
+        force = V(c.DirectionVector) * 1000.0
+        yield "force on an edge", [c], force, shape.Edges[edge].CenterOfMass.cross(force)
+    sets = [("pressure on a plane face", [far])]
+    if case.curved:
+        sets.append(("pressure on a curved face", case.curved[:1]))
+    sets.append(("pressure on all faces but the fixed", [n for n in range(len(case.faces)) if n != case.fixed]))
+    for name, faces in sets:
+        c = ObjectsFem.makeConstraintPressure(document, "Load")
+        c.References = [(part, tuple("Face%d" % (n + 1) for n in faces))]
+        quantity(c, "Pressure", 10.0, "MPa")
+        force, moment = V(), V()
+        for n in faces:
+            f, m = pressure_of(case.faces[n])
+            force, moment = force + f * 10, moment + m * 10
+        # a closed bore's pressure has no resultant: the figure is over the pressure's own size
+        yield name, [c], force, moment
+    c = ObjectsFem.makeConstraintSelfWeight(document, "Load")
+    c.Gravity_x, c.Gravity_y, c.Gravity_z = 0.6, 0.0, -0.8
+    force = V(0.6, 0, -0.8) * (DENSITY * GRAVITY * shape.Volume)
+    yield "self-weight", [c], force, shape.CenterOfMass.cross(force)
+    if hasattr(ObjectsFem, "makeConstraintCentrif"):
+        at = shape.BoundBox.Center + V(3 * shape.BoundBox.DiagonalLength, 0, 0)
+        axis = document.addObject("Part::Feature", "Axis")
+        axis.Shape = Part.makeLine(at, at + V(0, 0, 10))
+        c = ObjectsFem.makeConstraintCentrif(document, "Load")
+        c.RotationFrequency = "%r Hz" % TURNS
+        c.RotationAxis = [(axis, "Edge1")]
+        arm = shape.CenterOfMass - at
+        yield "centrifugal", [c], V(arm.x, arm.y, 0) * (DENSITY * shape.Volume * (2 * math.pi * TURNS) ** 2), None
+    c = ObjectsFem.makeConstraintDisplacement(document, "Held")
+    c.References = [(part, ("Face%d" % (far + 1),))]
+    for axis, value in zip("xyz", normal * 0.01):
+        setattr(c, axis + "Free", False)
+        setattr(c, axis + "Fix", False)
+        quantity(c, axis + "Displacement", value, "mm")
+    yield "prescribed displacement", [c], V(), V()
+
+
+def check(name, out):
+    """Rows of one own part: (part, kind, force, error of force, error of moment)."""
+    make, size = make_parts.PARTS[name]
+    shape = make()
+    shape = shape.Solids[0] if shape.ShapeType != "Solid" else shape
+    rows, case = [], Case(shape, COARSER * size, os.path.join(out, name))
+    diagonal = shape.BoundBox.DiagonalLength
+    for kind, constraints, force, moment in constraints_of(case):
+        found, turned, farthest = case.solve(re.sub(r"\W", "_", kind), *constraints)
+        size_of_load = max(force.Length, 10.0 * max(f.Area for f in case.faces) * 1e-2 if "pressure" in kind else 0.0)
+        if kind == "prescribed displacement":  # both ends are held: the reactions cancel; over one end's, known from the first
+            size_of_load = stiffness_force(case, farthest)
+        row = {"part": name, "kind": kind, "load": force.Length, "force_error": (found + force).Length / size_of_load,
+               "moment_error": None if moment is None else (turned + moment).Length / (size_of_load * diagonal), "displacement": farthest}
+        rows.append(row)
+        print("%-18s %-36s %10.3f  force off by %.1e  moment %s" % (
+            name, kind, force.Length, row["force_error"], "-" if moment is None else "%.1e" % row["moment_error"]), flush=True)
+        for c in constraints:
+            case.document.removeObject(c.Name)
+    case.close()
+    first = rows[0]["displacement"]
+    mirrored = shape.mirror(V(), V(1, 0, 0))
+    moved = shape.copy()
+    moved.Placement = FreeCAD.Placement(V(7, -3, 11), FreeCAD.Rotation(17, 31, 8)).multiply(moved.Placement)
+    for kind, copy in (("mirrored", mirrored), ("moved", moved)):
+        copy = copy.Solids[0] if copy.ShapeType != "Solid" else copy
+        case = Case(copy, COARSER * size, os.path.join(out, name))
+        kind_of, constraints, force, _ = next(constraints_of(case))
+        _, _, farthest = case.solve(kind, *constraints)
+        rows.append({"part": name, "kind": kind, "displacement_change": abs(farthest / first - 1)})
+        print("%-18s %-36s displacement differs by %.1e" % (name, kind, rows[-1]["displacement_change"]), flush=True)
+        case.close()
+    return rows
+
+
+def stiffness_force(case, displacement):
+    """A scale for reactions that cancel: the force that stretches a bar of the part's volume and diagonal so far."""
+    length = case.shape.BoundBox.DiagonalLength
+    return 210000 * case.shape.Volume / length**2 * displacement
+
+
+def main(out, names):
+    """All own parts with a plane face, or those named; returns the exit code."""
+    os.makedirs(out, exist_ok=True)
+    rows = []
+    for name in names or [n for n in make_parts.PARTS if n != "sphere"]:  # a sphere's one face cannot be fixed and loaded
+        rows += check(name, os.path.join(out, "loads"))
+    Path(out, "loads.json").write_text(json.dumps(rows, indent=1))
+    worst = max(max(r.get("force_error", 0), r.get("moment_error") or 0) for r in rows)
+    changed = max(r.get("displacement_change", 0) for r in rows)
+    print("largest error of a reaction %.1e, of its moment too; a mirrored or moved part differs by %.1e at most" % (worst, changed))
+    return 0 if worst <= LIMIT else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1] if len(sys.argv) > 1 else "out/verification", sys.argv[2:]))
