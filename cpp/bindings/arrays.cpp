@@ -16,7 +16,9 @@ namespace {
 template <class T>
 using Input = py::array_t<T, py::array::c_style | py::array::forcecast>;
 
-[[noreturn]] void reject(const std::string& reason) { throw MeshingError(Failure::BadInput, "arrays", reason, "give the arrays of one mesh"); }
+[[noreturn]] void reject(const std::string& reason) {
+  throw MeshingError(Failure::BadInput, "arrays", reason, "give the arrays of one mesh");
+}
 
 /// (n, N) array -> vector of arrays; every index must name one of `points` points.
 template <std::size_t N>
@@ -60,7 +62,8 @@ py::array_t<double> scaled_jacobians(const Input<double>& points, const Input<in
 
 std::shared_ptr<Result> result_from_arrays(const Input<double>& points, const Input<int>& hexes, const Input<int>& hex_solid,
                                            const Input<int>& quads, const Input<int>& quad_face, const Input<int>& node_dim,
-                                           const Input<int>& node_entity, const Input<int>& feature_edges, const Input<int>& feature_edge_cad) {
+                                           const Input<int>& node_entity, const Input<int>& feature_edges,
+                                           const Input<int>& feature_edge_cad) {
   auto result = std::make_shared<Result>();
   HexComplex& mesh = result->mesh;
   mesh.points = points_of(points);
