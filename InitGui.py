@@ -8,15 +8,13 @@ class HexFeatureWorkbench(FreeCADGui.Workbench):
     ToolTip = "All-hexahedral meshes of CAD solids"
 
     def __init__(self):
-        import os
+        from HexFeatureWB.gui import start
 
-        import HexFeatureWB
-
-        root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(HexFeatureWB.__file__))))
-        self.__class__.Icon = os.path.join(root, "Resources", "icons", "HexFeatureWB.svg")
+        self.__class__.Icon = start.icon("HexFeatureWB")
+        self.__class__.MenuText, self.__class__.ToolTip = start.titles()
 
     def Initialize(self):
-        from HexFeatureWB import commands
+        from HexFeatureWB.gui import commands
 
         names = commands.register()
         self.appendToolbar("Hex mesh", names)
@@ -26,4 +24,11 @@ class HexFeatureWorkbench(FreeCADGui.Workbench):
         return "Gui::PythonWorkbench"
 
 
+def _start():
+    from HexFeatureWB.gui import start
+
+    start.start()
+
+
 FreeCADGui.addWorkbench(HexFeatureWorkbench())
+_start()

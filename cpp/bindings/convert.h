@@ -63,6 +63,9 @@ pybind11::array field(const std::vector<Struct>& data, int Struct::*member, cons
   return result;
 }
 
+/// Adds `scaled_jacobians` and `result_from_arrays` to the module.
+void bind_arrays(pybind11::module_& module);
+
 pybind11::dict report_of(const Result& result);
 pybind11::dict stage_of(const std::shared_ptr<Result>& result, const std::string& name);
 

@@ -167,6 +167,8 @@ PYBIND11_MODULE(_core, m) {
       py::arg("brep"), py::arg("options") = py::dict(), py::arg("progress") = py::none(), py::arg("log") = py::none(),
       py::arg("cancelled") = py::none(), "Mesh a B-rep given as text. Raises MeshingError.");
 
+  bind_arrays(m);
+
   using Pointer = std::shared_ptr<Result>;
   py::class_<Result, Pointer>(m, "Result", "A mesh and how it came about; arrays are read-only views.")
       .def_readonly("method", &Result::method)

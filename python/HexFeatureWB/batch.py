@@ -14,6 +14,7 @@ import os
 import re
 import sys
 import time
+from typing import NamedTuple
 
 import FreeCAD
 import Part  # noqa: F401  makes Part::Feature known
@@ -73,10 +74,18 @@ def mesh_one(shape, stem, options):
         FreeCAD.closeDocument(document.Name)
 
 
-def run(files, out, options):
-    """Mesh every solid of `files` into the folder `out`; returns (rows of the summary, exit code)."""
-    os.makedirs(out, exist_ok=True)
-    rows, stems = [], set()
+class Item(NamedTuple):
+    """One solid to mesh: where it is from and the path, without ending, of what it leaves."""
+
+    file: str
+    name: str
+    shape: object
+    stem: str
+
+
+def items(files, out):
+    """Go through the files: yields an Item for each solid, and the summary's row of each file that cannot be read."""
+    stems = set()
     for path in files:
         stem = _free_stem(path, stems)
         stems.add(stem)
@@ -86,27 +95,47 @@ def run(files, out, options):
             if not solids:
                 raise ValueError("there is no solid in it")
         except Exception as error:  # whatever FreeCAD's readers raise, the batch goes on
-            rows.append(_row(path, "", "unreadable", why=_reason(error)))
+            yield _row(path, "", "unreadable", why=_reason(error))
             continue
         for name, shape in solids:
-            start = time.time()
-            try:
-                report = mesh_one(shape, stem + ("-" + name if name else ""), options)
-                quality = report["quality"]
-                rows.append(
-                    _row(path, name, "meshed", report["method"], quality["hexes"], round(quality["min_scaled_jacobian"], 3),
-                         round(quality["mean_scaled_jacobian"], 3), round(time.time() - start, 2))
-                )
-            except MeshingError as error:
-                rows.append(_row(path, name, "failed", seconds=round(time.time() - start, 2), why="%s: %s" % (error.step, error.reason)))
-            except Exception as error:  # one part must not end the batch
-                rows.append(_row(path, name, "failed", seconds=round(time.time() - start, 2), why=_reason(error)))
+            yield Item(path, name, shape, stem + ("-" + name if name else ""))
+
+
+def row_of(item, start, report=None, error=None):
+    """The summary's row of an item that was begun at time.time() `start`: meshed with this report, or failed with this error."""
+    seconds = round(time.time() - start, 2)
+    if error is not None:
+        why = "%s: %s" % (error.step, error.reason) if isinstance(error, MeshingError) else _reason(error)
+        return _row(item.file, item.name, "failed", seconds=seconds, why=why)
+    quality = report["quality"]
+    return _row(item.file, item.name, "meshed", report["method"], quality["hexes"], round(quality["min_scaled_jacobian"], 3),
+                round(quality["mean_scaled_jacobian"], 3), seconds)
+
+
+def write_summary(rows, out):
+    """Write out/summary.csv; returns the exit code."""
     with open(os.path.join(out, "summary.csv"), "w", newline="") as f:
         table = csv.DictWriter(f, COLUMNS)
         table.writeheader()
         table.writerows(rows)
     meshed = sum(row["result"] == "meshed" for row in rows)
-    return rows, 0 if meshed == len(rows) else 4 if meshed else 3
+    return 0 if meshed == len(rows) else 4 if meshed else 3
+
+
+def run(files, out, options):
+    """Mesh every solid of `files` into the folder `out`; returns (rows of the summary, exit code)."""
+    os.makedirs(out, exist_ok=True)
+    rows = []
+    for item in items(files, out):
+        if not isinstance(item, Item):
+            rows.append(item)
+            continue
+        start = time.time()
+        try:
+            rows.append(row_of(item, start, report=mesh_one(item.shape, item.stem, options)))
+        except Exception as error:  # one part must not end the batch
+            rows.append(row_of(item, start, error=error))
+    return rows, write_summary(rows, out)
 
 
 def _free_stem(path, taken):

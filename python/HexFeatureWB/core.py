@@ -1,5 +1,6 @@
 # HexFeatureWB - LGPL-2.1-or-later
 """The way to the core: one place that imports the extension and says what to do when it is missing."""
+import sys
 
 
 def load():
@@ -7,8 +8,24 @@ def load():
     try:
         from hexfeature import _core
     except ImportError as error:
-        raise ImportError(
-            "HexFeatureWB: the extension hexfeature._core cannot be loaded (%s). Build it with 'make build' in the "
-            "workbench's folder, or install the package 'hexfeature' for FreeCAD's Python." % error
-        ) from error
+        raise ImportError(advice(error)) from error
     return _core
+
+
+def problem():
+    """None, or why meshing is impossible here and what to do about it, as a text for the user."""
+    try:
+        load()
+    except ImportError as error:
+        return str(error)
+    return None
+
+
+def advice(error):
+    """What a user can do about a missing or unloadable extension; names this FreeCAD's own Python version."""
+    return (
+        "HexFeatureWB: the meshing program (hexfeature._core) cannot be loaded: %s.\n"
+        "FreeCAD runs Python %d.%d. Either run 'make build' in the workbench's folder with that Python, or install the package "
+        "'hexfeature' for it: %s -m pip install hexfeature"
+        % (error, sys.version_info[0], sys.version_info[1], "python%d.%d" % sys.version_info[:2])
+    )

@@ -1,5 +1,7 @@
 # HexFeatureWB - LGPL-2.1-or-later
 """Arrays to FreeCAD's Fem.FemMesh and its groups. The only place that knows SMESH's node order."""
+import re
+
 import numpy as np
 
 #: VTK / Abaqus order -> SMESH order: SMESH's first quadrilateral has its normal pointing out of the element.
@@ -67,3 +69,73 @@ def add_groups(mesh, ids, names):
             name = names[kind](number)
             if name:
                 mesh.addGroupElements(mesh.addGroup(name, element_type), members)
+
+
+def feature_line_nodes(result):
+    """Node ids (two an edge, flat) of the boundary edges between quads of different charts: the feature lines on the mesh.
+    A mesh made without charts has its CAD edges there."""
+    quads, chart = np.asarray(result.quads), np.asarray(result.quad_chart)
+    edges = np.asarray(result.feature_edges)
+    if len(chart) == len(quads) and len(quads) and chart.max() > 0:
+        edge_of = np.sort(np.stack([quads, np.roll(quads, -1, axis=1)], axis=2).reshape(-1, 2), axis=1)
+        charts = np.repeat(chart, 4)
+        order = np.lexsort((charts, edge_of[:, 1], edge_of[:, 0]))
+        edge_of, charts = edge_of[order], charts[order]
+        border = (edge_of[1:] == edge_of[:-1]).all(axis=1) & (charts[1:] != charts[:-1])
+        edges = edge_of[1:][border]
+    return (edges.ravel() + 1).tolist()
+
+
+def arrays_of(fem):
+    """The arrays of a Fem.FemMesh of hexahedra and quads with our groups, as a dict of the keywords of the core's
+    `result_from_arrays`; also node ids and element ids ("node_id", "hex_id") in the arrays' order.
+
+    Raises ValueError when it holds no hexahedra, or other volumes besides.
+    """
+    nodes = fem.Nodes
+    node_id = np.fromiter(nodes.keys(), dtype=np.int64, count=len(nodes))
+    points = np.array([tuple(p) for p in nodes.values()], dtype=float).reshape(-1, 3)
+    index = np.zeros(int(node_id.max(initial=0)) + 1, dtype=np.int64)
+    index[node_id] = np.arange(len(node_id))
+    hex_id = np.array(fem.Volumes, dtype=np.int64)
+    volumes = [fem.getElementNodes(int(v)) for v in hex_id]
+    width = len(volumes[0]) if volumes else 0
+    if width not in (8, 20) or any(len(v) != width for v in volumes):
+        raise ValueError("the mesh has no hexahedra, or other volumes besides")
+    back = np.argsort(HEX20 if width == 20 else HEX8)
+    hexes = index[np.array(volumes)][:, back]
+    quad_id = [f for f in fem.Faces if len(fem.getElementNodes(f)) == (8 if width == 20 else 4)]
+    quads = index[np.array([fem.getElementNodes(f) for f in quad_id], dtype=np.int64).reshape(len(quad_id), -1)]
+    return {"points": points, "hexes": hexes, "quads": quads, "node_id": node_id, "hex_id": hex_id,
+            **_cad_of_groups(fem, len(points), index, hexes, hex_id, quads, np.array(quad_id, dtype=np.int64))}
+
+
+def _cad_of_groups(fem, point_count, index, hexes, hex_id, quads, quad_id):
+    """CAD numbers from the groups FaceN, EdgeN, VertexN, SolidN."""
+    members = {"Face": {}, "Edge": {}, "Vertex": {}, "Solid": {}}
+    for group in fem.Groups:
+        match = re.fullmatch(r"(Face|Edge|Vertex|Solid)(\d+)", fem.getGroupName(group))
+        if match:
+            members[match[1]][int(match[2])] = np.array(fem.getGroupElements(group), dtype=np.int64)
+    quad_face, hex_solid = np.zeros(len(quads), dtype=int), np.ones(len(hexes), dtype=int)
+    dim, entity = np.full(point_count, 3), np.zeros(point_count, dtype=int)
+    for number, ids in members["Face"].items():
+        quad_face[np.isin(quad_id, ids)] = number
+    on_face = np.repeat(quad_face, quads.shape[1])
+    dim[quads.ravel()], entity[quads.ravel()] = 2, on_face
+    for number, ids in members["Solid"].items():
+        hex_solid[np.isin(hex_id, ids)] = number
+    corners = quads[:, :4]
+    sides = np.unique(np.sort(np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 2), axis=1), axis=0)
+    feature_edges, feature_edge_cad = [np.zeros((0, 2), dtype=int)], []
+    for number, ids in sorted(members["Edge"].items()):
+        on = np.zeros(point_count, dtype=bool)
+        on[index[ids]] = True
+        dim[on], entity[on] = 1, number
+        along = sides[on[sides].all(axis=1)]
+        feature_edges.append(along)
+        feature_edge_cad += [number] * len(along)
+    for number, ids in members["Vertex"].items():
+        dim[index[ids]], entity[index[ids]] = 0, number
+    return {"quad_face": quad_face, "hex_solid": hex_solid, "node_dim": dim, "node_entity": entity,
+            "feature_edges": np.concatenate(feature_edges), "feature_edge_cad": np.array(feature_edge_cad, dtype=int)}

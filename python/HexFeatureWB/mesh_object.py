@@ -3,6 +3,8 @@
 
 Module, class and property names are file format: a saved document finds them again by name.
 """
+import json
+
 import FreeCAD
 
 from . import core
@@ -53,23 +55,39 @@ class HexMesh:
                 setattr(obj, name, spec["choices"])
             # Stresses want second order: 8-node bricks lock in bending.
             setattr(obj, name, 2 if spec["name"] == "order" else spec["default"])
+        if not hasattr(obj, "Solid"):
+            obj.addProperty("App::PropertyInteger", "Solid", GROUP, "of a part with several solids, the one to mesh; 0: all of them")
         for kind, name, text in (
+            ("App::PropertyBool", "NeedsRefresh", "the part or an option has changed since the mesh was made"),
             ("App::PropertyString", "MethodUsed", "method that made the mesh"),
             ("App::PropertyInteger", "HexCount", "number of hexahedra"),
             ("App::PropertyFloat", "MinScaledJacobian", "scaled Jacobian of the worst element, 1 is best"),
             ("App::PropertyFloat", "MeanScaledJacobian", "mean scaled Jacobian"),
+            ("App::PropertyLength", "LargestDeviation", "largest distance of a boundary node from its CAD face, edge or vertex"),
             ("App::PropertyFloat", "Seconds", "time that meshing took"),
             ("App::PropertyString", "Report", "the whole report as JSON"),
+            ("App::PropertyIntegerList", "FeatureLineNodes", "nodes of the mesh edges on feature lines, two an edge"),
+            ("App::PropertyString", "MadeOf", "part and options that the mesh was made of"),
         ):
             if not hasattr(obj, name):
                 obj.addProperty(kind, name, RESULTS, text)
-                obj.setEditorMode(name, 1)
+                obj.setEditorMode(name, 2 if name in ("FeatureLineNodes", "MadeOf", "Report") else 1)
 
     def execute(self, obj):
+        update_needs_refresh(obj)
         return False
+
+    def onChanged(self, obj, name):
+        # While a document is read, properties come one by one: then onDocumentRestored looks at all of them.
+        if name in _option_names() and "Restore" not in obj.State and hasattr(obj, "MadeOf"):
+            update_needs_refresh(obj)
 
     def onDocumentRestored(self, obj):
         self.add_properties(obj)
+        if FreeCAD.GuiUp:
+            from .view_provider import revive
+
+            revive(obj)
 
     def dumps(self):
         return None
@@ -100,8 +118,43 @@ def options_of(obj):
     return values
 
 
+def _option_names():
+    return {property_name(spec["name"]) for spec in options_shown()} | {"Solid", "Shape", "Part"}
+
+
+def made_of(obj):
+    """The part and the options as they are now, as one text: what is compared with MadeOf. Empty without a part."""
+    source = source_of(obj)
+    shape = getattr(source, "Shape", None)
+    if shape is None or shape.isNull():
+        return ""
+    # Volume, area and centre are of the geometry: the same after saving and reading, unlike the B-rep's text.
+    centre = shape.CenterOfGravity if hasattr(shape, "CenterOfGravity") else shape.BoundBox.Center
+    part = [len(shape.Solids), len(shape.Faces), len(shape.Edges)] + [
+        "%.7g" % value for value in (shape.Volume, shape.Area, *(round(c, 6) + 0.0 for c in centre))
+    ]
+    chosen = {name: value for name, value in options_of(obj).items() if name not in ("threads", "time_limit")}
+    return json.dumps([source.Name, obj.Solid, part, chosen])
+
+
+def update_needs_refresh(obj):
+    """Set NeedsRefresh by what the mesh was made of."""
+    if not hasattr(obj, "MadeOf") or not obj.MadeOf:
+        return
+    needed = made_of(obj) != obj.MadeOf
+    if obj.NeedsRefresh != needed:
+        obj.NeedsRefresh = needed
+
+
+def is_hex_mesh(obj):
+    """Whether a document object is one of ours."""
+    return obj is not None and obj.isDerivedFrom("Fem::FemMeshObject") and hasattr(obj, "MadeOf") and hasattr(obj, "ElementSize")
+
+
 def create(document, source, name):
     """Add an empty mesh object linked to `source` (FreeCAD 0.20 and 1.x types)."""
+    import Fem  # noqa: F401  makes the types known
+
     kinds = document.supportedTypes()
     kind = "Fem::FemMeshShapeBaseObjectPython"
     if kind not in kinds:

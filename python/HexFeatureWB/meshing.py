@@ -5,44 +5,43 @@ import json
 import FreeCAD
 
 from . import core, fem_mesh, mesh_object
+from .source import names_of, shape_to_mesh
 
 MeshingError = core.load().MeshingError
 
+#: (B-rep text, options, result): what a panel's worker has just made, for the next call that asks for the same.
+_ready = None
 
-def mesh(obj, size=None, analysis=None, name=None, progress=None, cancelled=None, **options):
+
+def mesh(obj, size=None, analysis=None, name=None, progress=None, cancelled=None, solid=0, **options):
     """Make a hexahedral FEM mesh object of a solid.
 
-    obj: a document object with a Shape (Part feature, PartDesign body, ...).
+    obj: a document object with a Shape (Part feature, PartDesign body, link, ...).
     size: element size in mm; None lets the core choose one.
     analysis: a FEM analysis that takes the mesh (it replaces the analysis' old one).
     name: name of the new object; default HexMesh.
     progress(step, fraction), cancelled() -> bool: called while meshing.
+    solid: of a part with several solids the number of one, from 1; 0 meshes all of them.
     options: as on the command line (order=2 by default, labels, capture, ...).
     Returns the mesh object; its groups are named after FreeCAD's FaceN, EdgeN, VertexN, SolidN.
     Raises MeshingError (kind, step, reason, hint, cad_faces); the document is then as it was.
     """
-    _solids_of(obj)
+    shape_to_mesh(obj, solid)
     if size is not None:
         if isinstance(size, bool) or not isinstance(size, (int, float, FreeCAD.Units.Quantity)):
-            raise _usage("size is %r but must be a length in mm" % (size,))
+            raise usage("size is %r but must be a length in mm" % (size,))
         size = float(getattr(size, "Value", size))
         if not 0 < size < float("inf"):
-            raise _usage("size is %g but must be a length greater than 0" % size)
+            raise usage("size is %g but must be a length greater than 0" % size)
     document = obj.Document
     document.openTransaction("Hex mesh")
     try:
         result_object = mesh_object.create(document, obj, name or "HexMesh")
+        result_object.Solid = solid
         if size is not None:
             options["size"] = size
-        known = {spec["name"] for spec in mesh_object.options_shown()}
-        for option, value in options.items():
-            if option not in known:
-                raise _usage("there is no option '%s'" % option)
-            try:
-                setattr(result_object, mesh_object.property_name(option), value)
-            except (TypeError, ValueError):  # of FreeCAD's property
-                raise _usage("%s cannot be %r" % (option, value)) from None
-        refresh(result_object, progress, cancelled)
+        set_options(result_object, options)
+        _fill(result_object, progress, cancelled)
         if analysis is not None:
             for old in [m for m in analysis.Group if m.isDerivedFrom("Fem::FemMeshObject")]:
                 analysis.removeObject(old)
@@ -56,23 +55,73 @@ def mesh(obj, size=None, analysis=None, name=None, progress=None, cancelled=None
     return result_object
 
 
-def refresh(mesh_obj, progress=None, cancelled=None):
-    """Mesh again with the object's present options; the old mesh stays when this fails. Returns the core's result."""
-    source = mesh_object.source_of(mesh_obj)
-    shape, names = _solids_of(source)
+def refresh(mesh_obj, progress=None, cancelled=None, **options):
+    """Mesh again with the object's present options, changed by the ones given; the old mesh stays when this fails.
+
+    Returns the core's result. Raises MeshingError.
+    """
+    document = mesh_obj.Document
+    document.openTransaction("Refresh hex mesh")
+    try:
+        set_options(mesh_obj, options)
+        result = _fill(mesh_obj, progress, cancelled)
+    except BaseException:
+        document.abortTransaction()
+        raise
+    document.commitTransaction()
+    return result
+
+
+def set_options(mesh_obj, options):
+    """Set options by their name on the command line. Raises MeshingError ("usage")."""
+    known = {spec["name"] for spec in mesh_object.options_shown()}
+    for option, value in options.items():
+        if option not in known:
+            raise usage("there is no option '%s'" % option)
+        try:
+            setattr(mesh_obj, mesh_object.property_name(option), value)
+        except (TypeError, ValueError):  # of FreeCAD's property
+            raise usage("%s cannot be %r" % (option, value)) from None
+
+
+def offer(brep, options, result):
+    """Lend a finished result to the next mesh() or refresh() of the same part and options: the line that the macro recorder
+    sees is then the very line that put the mesh into the document, though a worker thread made it."""
+    global _ready
+    _ready = (brep, dict(options), result)
+
+
+def _compute(brep, options, progress, cancelled):
+    global _ready
+    ready, _ready = _ready, None
+    if ready and ready[0] == brep and ready[1] == options:
+        return ready[2]
     # The options are checked by the core; a text is the way that is free of FreeCAD's OpenCASCADE version.
-    result = core.load().mesh_brep(shape.exportBrepToString(), mesh_object.options_of(mesh_obj), progress, None, cancelled)
+    return core.load().mesh_brep(brep, options, progress, None, cancelled)
+
+
+def _fill(mesh_obj, progress, cancelled):
+    """Mesh, and set the object's mesh and figures."""
+    source = mesh_object.source_of(mesh_obj)
+    shape = shape_to_mesh(source, mesh_obj.Solid)
+    names = names_of(source, shape)
+    result = _compute(shape.exportBrepToString(), mesh_object.options_of(mesh_obj), progress, cancelled)
     fem, ids = fem_mesh.to_fem_mesh(result)
     fem_mesh.add_groups(fem, ids, names)
-    mesh_obj.FemMesh = fem
     report = result.report()
     report["groups_not_found_by_geometry"] = check_groups(fem, shape, ids)
+    mesh_obj.FeatureLineNodes = fem_mesh.feature_line_nodes(result)
+    mesh_obj.FemMesh = fem
     mesh_obj.MethodUsed = report["method"]
     mesh_obj.HexCount = report["quality"]["hexes"]
     mesh_obj.MinScaledJacobian = report["quality"]["min_scaled_jacobian"]
     mesh_obj.MeanScaledJacobian = report["quality"]["mean_scaled_jacobian"]
+    mesh_obj.LargestDeviation = report["faithfulness"]["largest_node_deviation"]
     mesh_obj.Seconds = report["seconds"]
     mesh_obj.Report = json.dumps(report, indent=1)
+    mesh_obj.MadeOf = mesh_object.made_of(mesh_obj)
+    mesh_obj.NeedsRefresh = False
+    mesh_obj.purgeTouched()
     for face, (found, ours) in report["groups_not_found_by_geometry"].items():
         FreeCAD.Console.PrintWarning(
             "HexFeatureWB: FreeCAD finds %d of the %d elements on %s by geometry; a load put there may miss some.\n"
@@ -95,45 +144,9 @@ def check_groups(fem, shape, ids):
     return different
 
 
-def _usage(reason):
+def usage(reason):
+    """A MeshingError about an option."""
     error = MeshingError("options: " + reason)
     error.kind, error.step, error.reason, error.cad_faces = "usage", "options", reason, []
     error.hint = "hexfeature mesh --help lists the options"
     return error
-
-
-def _solids_of(obj):
-    """(shape to mesh, names): the one solid of an object's shape, or the whole shape when it has several.
-
-    names maps the core's numbers to those of the object's own shape, which differ when it has faces beside its solid.
-    """
-    shape = getattr(obj, "Shape", None)
-    if shape is None or not hasattr(shape, "Solids") or not shape.Solids:
-        error = _usage("the object has no solid")
-        error.kind, error.step = "bad_input", "read"
-        error.hint = "choose an object with a solid; make one of a shell with Part > Convert to solid"
-        raise error
-    part = shape.Solids[0] if len(shape.Solids) == 1 else shape
-    names = {}
-    for kind, prefix, own, whole in (
-        ("faces", "Face", part.Faces, shape.Faces),
-        ("edges", "Edge", part.Edges, shape.Edges),
-        ("vertices", "Vertex", part.Vertexes, shape.Vertexes),
-        ("solids", "Solid", part.Solids, shape.Solids),
-    ):
-        names[kind] = _namer(prefix, own, whole)
-    return part, names
-
-
-def _namer(prefix, own, whole):
-    if len(own) == len(whole):
-        return lambda number: "%s%d" % (prefix, number)
-    by_hash = {}
-    for number, item in enumerate(whole, 1):
-        by_hash.setdefault(item.hashCode(), []).append((number, item))
-    table = {}
-    for number, item in enumerate(own, 1):
-        for other, candidate in by_hash.get(item.hashCode(), []):
-            if candidate.isSame(item):
-                table[number] = other
-    return lambda number: "%s%d" % (prefix, table[number]) if number in table else None

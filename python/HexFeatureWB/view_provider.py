@@ -1,29 +1,87 @@
 # HexFeatureWB - LGPL-2.1-or-later
-"""How a mesh object shows itself in the tree and the 3D view."""
+"""How a mesh object shows itself in the tree and the 3D view. Module, class and property names are file format."""
 import os
 
 ICONS = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))), "Resources", "icons")
+GROUP = "Hex mesh"
+QUALITY = "Quality"  #: name of the display mode
 
 
 class HexMeshView:
     def __init__(self, view):
         view.Proxy = self
+        self.add_properties(view)
+
+    @staticmethod
+    def add_properties(view):
+        for kind, name, text, value in (
+            ("App::PropertyFloatConstraint", "ShowBelow", "in Quality: show only elements of a scaled Jacobian below this; 1: all",
+             (1.0, 0.0, 1.0, 0.05)),
+            ("App::PropertyEnumeration", "CutAxis", "in Quality: cut the mesh open across this axis", ["None", "X", "Y", "Z"]),
+            ("App::PropertyPercent", "CutPosition", "in Quality: where the cut is, of the mesh's extent", 50),
+            ("App::PropertyBool", "CutFlip", "in Quality: show the other side of the cut", False),
+            ("App::PropertyBool", "FeatureLines", "in Quality: draw the feature lines on the mesh", False),
+            ("App::PropertyBool", "ColourBar", "in Quality: draw the colour scale", True),
+        ):
+            if not hasattr(view, name):
+                view.addProperty(kind, name, GROUP, text)
+                setattr(view, name, value)
 
     def attach(self, view):
-        self.ViewObject = view
+        from .gui.quality_view import QualityNode
+
         self.Object = view.Object
-        # A document saved without a window keeps no picture of its mesh: setting it again makes one.
-        if self.Object.FemMesh.NodeCount:
-            self.Object.FemMesh = self.Object.FemMesh
+        self.quality = QualityNode()
+        view.addDisplayMode(self.quality.root, QUALITY)
+
+    def getDisplayModes(self, view):
+        return [QUALITY]
+
+    def setDisplayMode(self, mode):
+        return mode
 
     def getIcon(self):
-        return os.path.join(ICONS, "HexFeature_Mesh.svg")
+        outdated = getattr(getattr(self, "Object", None), "NeedsRefresh", False)
+        return os.path.join(ICONS, "HexFeature_MeshOutdated.svg" if outdated else "HexFeature_Mesh.svg")
 
     def updateData(self, obj, name):
-        pass
+        if name == "NeedsRefresh":
+            obj.ViewObject.signalChangeIcon()
+        elif name == "FemMesh":
+            self._draw(obj.ViewObject, forget=True)
 
     def onChanged(self, view, name):
-        pass
+        if name in ("DisplayMode", "ShowBelow", "CutAxis", "CutPosition", "CutFlip", "FeatureLines", "ColourBar"):
+            self._draw(view)
+
+    def _draw(self, view, forget=False):
+        """The node is made only while it is looked at: it costs time and memory."""
+        node = getattr(self, "quality", None)
+        if node is None or not hasattr(view, "ColourBar"):
+            return
+        if forget:
+            node.forget()
+        if view.DisplayMode == QUALITY:
+            node.update(view.Object, view)
+        else:
+            node.root.removeAllChildren()
+
+    def doubleClicked(self, view):
+        return self.setEdit(view, 0)
+
+    def setEdit(self, view, mode):
+        from .gui import task_panel
+
+        if mode != 0:
+            return None
+        task_panel.edit(view.Object)
+        return True
+
+    def unsetEdit(self, view, mode):
+        import FreeCADGui
+
+        FreeCADGui.Control.closeDialog()
+        return True
 
     def dumps(self):
         return None
@@ -33,3 +91,33 @@ class HexMeshView:
 
     __getstate__ = dumps
     __setstate__ = loads
+
+
+def revive(obj):
+    """After a document was read: give a mesh its view, and draw it. One saved without a window has neither, and is hidden."""
+    from PySide import QtCore
+
+    view = obj.ViewObject
+    if view is None:
+        return
+    headless = not isinstance(view.Proxy, HexMeshView)
+    if headless:
+        HexMeshView(view)
+    else:
+        HexMeshView.add_properties(view)
+
+    def draw():  # when the whole document, views too, has been read
+        try:
+            if headless:
+                # Saved without a window, the document holds no picture of the mesh: setting it again makes one.
+                modified = obj.MadeOf, obj.NeedsRefresh
+                obj.FemMesh = obj.FemMesh
+                obj.MadeOf, obj.NeedsRefresh = modified
+                obj.purgeTouched()
+                view.Visibility = True
+            if view.Proxy:
+                view.Proxy._draw(view, forget=True)
+        except ReferenceError:  # closed again meanwhile
+            pass
+
+    QtCore.QTimer.singleShot(0, draw)

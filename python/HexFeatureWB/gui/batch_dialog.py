@@ -1,0 +1,206 @@
+# HexFeatureWB - LGPL-2.1-or-later
+"""*Batch*: files in, a folder of meshes out, row by row, in a worker thread; the window stays alive."""
+import os
+import time
+
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+from .. import batch, mesh_object, meshing
+from ..job import Job
+from ..translate import tr
+from . import messages, record, settings
+from .widgets import LengthEdit, OptionWidget, title_of
+
+POLL = 50  #: ms
+SHOWN = ("file", "solid", "result", "hexes", "min_sj", "mean_sj", "seconds", "why")
+SOURCES = "*.step *.stp *.iges *.igs *.brep *.brp *.FCStd"
+
+
+class BatchDialog(QtGui.QDialog):
+    def __init__(self, parent=None):
+        super().__init__(parent)
+        self.setWindowTitle(tr("Batch of hex meshes"))
+        self.setWindowIcon(QtGui.QIcon(messages.icon("HexFeature_Batch")))
+        self.resize(860, 520)
+        self.rows, self._items, self._item, self.job = [], None, None, None
+        self._timer = QtCore.QTimer(self)
+        self._timer.timeout.connect(self._look)
+        column = QtGui.QVBoxLayout(self)
+        column.addLayout(self._build_inputs())
+        self.table = QtGui.QTableWidget(0, len(SHOWN))
+        self.table.setObjectName("table")
+        self.table.setHorizontalHeaderLabels(
+            [tr("File"), tr("Solid"), tr("Result"), tr("Hexahedra"), tr("Worst SJ"), tr("Mean SJ"), tr("Seconds"), tr("Why not")])
+        self.table.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
+        self.table.verticalHeader().hide()
+        self.table.horizontalHeader().setStretchLastSection(True)
+        self.table.setColumnWidth(0, 190)
+        column.addWidget(self.table)
+        self.state = QtGui.QLabel(tr("Each solid leaves a FreeCAD document with its mesh, a .unv file and a report."))
+        self.state.setObjectName("state")
+        column.addWidget(self.state)
+        row = QtGui.QHBoxLayout()
+        self.start_button = QtGui.QPushButton(tr("Start"))
+        self.cancel_button = QtGui.QPushButton(tr("Cancel"))
+        close = QtGui.QPushButton(tr("Close"))
+        for button, name, slot in ((self.start_button, "start_button", self.start), (self.cancel_button, "cancel_button", self.cancel),
+                                   (close, "close_button", self.reject)):
+            button.setObjectName(name)
+            button.clicked.connect(slot)
+            row.addWidget(button)
+        row.insertStretch(0)
+        self.cancel_button.setEnabled(False)
+        column.addLayout(row)
+
+    def _build_inputs(self):
+        grid = QtGui.QFormLayout()
+        grid.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
+        self.files = QtGui.QPlainTextEdit()
+        self.files.setObjectName("files")
+        self.files.setMaximumHeight(90)
+        self.files.setPlaceholderText(tr("one file a line: STEP, IGES, BREP or FreeCAD documents"))
+        choose = QtGui.QPushButton(tr("Add files ..."))
+        choose.clicked.connect(self._choose_files)
+        row = QtGui.QHBoxLayout()
+        row.addWidget(self.files)
+        row.addWidget(choose)
+        grid.addRow(tr("Files"), row)
+        self.folder = QtGui.QLineEdit(os.path.join(os.path.expanduser("~"), "hexmeshes"))
+        self.folder.setObjectName("folder")
+        browse = QtGui.QPushButton(tr("Choose ..."))
+        browse.clicked.connect(self._choose_folder)
+        row = QtGui.QHBoxLayout()
+        row.addWidget(self.folder)
+        row.addWidget(browse)
+        grid.addRow(tr("Into the folder"), row)
+        self.size = LengthEdit("size", lambda value: None)
+        self.size.widget.setToolTip(tr("0: each part gets a size of its own, for about 3,000 elements"))
+        grid.addRow(tr("Element size, 0: chosen for each"), self.size.widget)
+        spec = next(s for s in mesh_object.options_shown() if s["name"] == "order")
+        self.order = OptionWidget(spec, settings.option_default(spec), lambda: None)
+        grid.addRow(title_of("order"), self.order.widget)
+        return grid
+
+    def _choose_files(self):
+        chosen = QtGui.QFileDialog.getOpenFileNames(self, tr("Batch"), "", "%s (%s)" % (tr("CAD files"), SOURCES))[0]
+        for path in chosen:
+            self.files.appendPlainText(path)
+
+    def _choose_folder(self):
+        chosen = QtGui.QFileDialog.getExistingDirectory(self, tr("Into the folder"), self.folder.text())
+        if chosen:
+            self.folder.setText(chosen)
+
+    def start(self):
+        """Read and write in the main thread, item by item; mesh in the worker."""
+        files = [line.strip() for line in self.files.toPlainText().splitlines() if line.strip()]
+        out = self.folder.text().strip()
+        if not files or not out:
+            self.state.setText(tr("Give files and a folder."))
+            return
+        try:
+            os.makedirs(out, exist_ok=True)
+        except OSError as error:
+            self.state.setText(tr("Cannot make the folder: %s") % error.strerror)
+            return
+        self.options = {spec["name"]: settings.option_default(spec) for spec in settings.option_specs()}
+        self.options["order"] = self.order.value()
+        if self.size.value() > 0:
+            self.options["size"] = self.size.value()
+        self.out, self.rows = out, []
+        self.table.setRowCount(0)
+        self._items = batch.items(files, out)
+        self.start_button.setEnabled(False)
+        self.cancel_button.setEnabled(True)
+        self._next()
+        self._timer.start(POLL)
+
+    def cancel(self):
+        self._items = iter(())
+        if self.job is not None:
+            self.job.cancel()
+
+    def _next(self):
+        """Begin the next solid; rows of files that cannot be read go into the table on the way."""
+        self._item = self.job = None
+        for item in self._items:
+            if isinstance(item, batch.Item):
+                self._item, self._began = item, time.time()
+                self.job = Job(item.shape.exportBrepToString(), dict(self.options, size=self.options.get("size", 0.0))).start()
+                return
+            self._add(item)
+            return
+
+    def _look(self):
+        job, item = self.job, self._item
+        if job is not None and job.is_alive():
+            self.state.setText("%s: %s, %.1f s" % (os.path.basename(item.file), messages.step_title(job.step), job.seconds))
+            return
+        if job is not None:
+            self.job = None
+            error, report = job.error, None
+            if error is None:
+                try:
+                    # Through the same function as without a window; it takes the worker's result.
+                    meshing.offer(job.brep, job.options, job.result)
+                    report = batch.mesh_one(item.shape, item.stem, self.options)
+                except Exception as caught:  # one part must not end the batch
+                    error = caught
+            self._add(batch.row_of(item, self._began, report, error))
+        self._next()
+        if self.job is None and self._finished():
+            self._timer.stop()
+            self.start_button.setEnabled(True)
+            self.cancel_button.setEnabled(False)
+            batch.write_summary(self.rows, self.out)
+            meshed = sum(row["result"] == "meshed" for row in self.rows)
+            self.state.setText(tr("%(meshed)d of %(all)d meshed; summary.csv is in %(folder)s") % {
+                "meshed": meshed, "all": len(self.rows), "folder": self.out})
+            record.do("# HexFeatureWB.batch.run(%r, %r, %r)" % (self._paths(), self.out, self.options))
+
+    def _paths(self):
+        return [line.strip() for line in self.files.toPlainText().splitlines() if line.strip()]
+
+    def _finished(self):
+        """Whether nothing is left: looks one item ahead."""
+        if self._item is not None:
+            return False
+        for item in self._items:
+            self._items = _before(item, self._items)
+            return False
+        return True
+
+    def _add(self, row):
+        self.rows.append(row)
+        at = self.table.rowCount()
+        self.table.insertRow(at)
+        for column, name in enumerate(SHOWN):
+            text = os.path.basename(row[name]) if name == "file" else str(row[name])
+            cell = QtGui.QTableWidgetItem(text)
+            cell.setToolTip(str(row[name]))
+            if name == "result" and row[name] != "meshed":
+                cell.setForeground(QtGui.QBrush(QtGui.QColor(200, 60, 40)))
+            self.table.setItem(at, column, cell)
+        self.table.scrollToBottom()
+
+    def reject(self):
+        self._timer.stop()
+        self.cancel()
+        super().reject()
+
+
+def _before(first, rest):
+    yield first
+    yield from rest
+
+
+current = None
+
+
+def open_dialog():
+    """The dialog, beside the main window, not in front of it."""
+    global current
+    current = BatchDialog(FreeCADGui.getMainWindow())
+    current.show()
+    return current

@@ -1,0 +1,86 @@
+# HexFeatureWB - LGPL-2.1-or-later
+"""What the window says: failures with their reason and what to try, results, names of steps."""
+import html
+import os
+
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+from ..translate import tr
+from ..view_provider import ICONS
+from .widgets import number
+
+WAIT = QtCore.Qt.WaitCursor
+
+
+def icon(name):
+    """Path of one of our icons."""
+    return os.path.join(ICONS, name + ".svg")
+
+
+def tell(text, details=""):
+    """A message box that needs no answer. Tests read the last text in `tell.last` and see no box."""
+    tell.last = text
+    if os.environ.get("HEXFEATURE_NO_BOXES"):
+        return
+    box = QtGui.QMessageBox(FreeCADGui.getMainWindow())
+    box.setWindowTitle(tr("Hex mesh"))
+    box.setText(text)
+    box.setDetailedText(details)
+    box.setIcon(QtGui.QMessageBox.Information)
+    (getattr(box, "exec", None) or box.exec_)()
+
+
+tell.last = ""
+
+
+def step_title(step):
+    """A step of the program in the user's words."""
+    return {
+        "read": tr("reading the part"),
+        "frame": tr("finding directions"),
+        "surface": tr("surface triangles"),
+        "labels": tr("labels"),
+        "shape": tr("feature lines"),
+        "polycube": tr("polycube"),
+        "lattice": tr("unit cubes"),
+        "fit": tr("fitting to the part"),
+        "sheets": tr("layers under smooth borders"),
+        "smooth": tr("smoothing"),
+        "quality": tr("measuring"),
+        "certificate": tr("proving every element"),
+        "second order": tr("mid-side nodes"),
+        "options": tr("options"),
+        "": tr("starting"),
+    }.get(step, step)
+
+
+def faces_to_blame(error, names):
+    """FreeCAD names of the CAD faces that an error names, the first twenty."""
+    found = [names["faces"](number) for number in getattr(error, "cad_faces", [])]
+    return [name for name in found if name][:20]
+
+
+def failure_text(error, faces, plain=False):
+    """Step, reason, faces and hint of an error, as rich or plain text."""
+    reason = getattr(error, "reason", None)
+    if reason is None:  # not one of ours: a bug
+        reason = "%s: %s" % (type(error).__name__, error)
+    where = tr("No mesh. Step: %s") % step_title(getattr(error, "step", ""))
+    blame = tr("Faces to look at (selected in the view): %s") % ", ".join(faces) if faces else ""
+    hint = getattr(error, "hint", "")
+    if plain:
+        return "HexFeatureWB: " + ". ".join(part for part in (where, reason, blame, hint) if part)
+    lines = ["<b>%s</b>" % html.escape(where), html.escape(reason)]
+    if blame:
+        lines.append(html.escape(blame))
+    if hint:
+        lines.append("<i>%s</i>" % html.escape(tr("Try: %s") % hint))
+    return "<br>".join(lines)
+
+
+def success_text(mesh):
+    """The figures of a mesh in two lines."""
+    return tr("%(count)s hexahedra in %(seconds).1f s by %(method)s\nscaled Jacobian: worst %(worst).3f, mean %(mean).3f") % {
+        "count": number(mesh.HexCount), "seconds": mesh.Seconds, "method": mesh.MethodUsed,
+        "worst": mesh.MinScaledJacobian, "mean": mesh.MeanScaledJacobian}

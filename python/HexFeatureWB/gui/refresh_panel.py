@@ -1,0 +1,129 @@
+# HexFeatureWB - LGPL-2.1-or-later
+"""*Refresh mesh*: mesh objects again, one after the other, in a worker thread. Closes itself when all went well."""
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+from .. import mesh_object, meshing
+from ..job import Job
+from ..source import names_of, shape_to_mesh
+from ..translate import tr
+from . import messages, record
+
+POLL = 50  #: ms
+
+
+class RefreshPanel:
+    def __init__(self, meshes):
+        self.waiting, self.count = list(meshes), len(meshes)
+        self.mesh = self.job = None
+        self.failed = []
+        self.form = QtGui.QWidget()
+        self.form.setWindowTitle(tr("Refresh mesh"))
+        self.form.setWindowIcon(QtGui.QIcon(messages.icon("HexFeature_Refresh")))
+        column = QtGui.QVBoxLayout(self.form)
+        self.state = QtGui.QLabel()
+        self.state.setObjectName("state")
+        self.state.setWordWrap(True)
+        self.bar = QtGui.QProgressBar()
+        self.bar.setRange(0, 1000)
+        self.bar.setTextVisible(False)
+        self.cancel_button = QtGui.QPushButton(tr("Cancel"))
+        self.cancel_button.setObjectName("cancel_button")
+        self.cancel_button.clicked.connect(self.cancel)
+        for widget in (self.state, self.bar, self.cancel_button):
+            column.addWidget(widget)
+        self._timer = QtCore.QTimer()
+        self._timer.timeout.connect(self._look)
+
+    def start(self):
+        self._next()
+        self._timer.start(POLL)
+
+    def cancel(self):
+        self.waiting.clear()
+        if self.job is not None:
+            self.job.cancel()
+            self.state.setText(tr("cancelling ..."))
+
+    def _next(self):
+        self.mesh = self.waiting.pop(0)
+        source = mesh_object.source_of(self.mesh)
+        try:
+            brep = shape_to_mesh(source, self.mesh.Solid).exportBrepToString()
+        except meshing.MeshingError as error:
+            self._failed(error)
+            return
+        self.job = Job(brep, mesh_object.options_of(self.mesh)).start()
+
+    def _look(self):
+        job = self.job
+        if job is not None and job.is_alive():
+            self.bar.setValue(int(1000 * job.fraction))
+            if not job.was_cancelled:
+                self.state.setText(tr("%(mesh)s (%(number)d of %(count)d): %(step)s, %(seconds).1f s") % {
+                    "mesh": self.mesh.Label, "number": self.count - len(self.waiting), "count": self.count,
+                    "step": messages.step_title(job.step), "seconds": job.seconds})
+            return
+        self.job = None
+        if job is not None and job.error is not None:
+            self._failed(job.error)
+        elif job is not None:
+            meshing.offer(job.brep, job.options, job.result)
+            try:
+                record.refresh(self.mesh)
+            except meshing.MeshingError as error:
+                self._failed(error)
+        if self.waiting:
+            self._next()
+            return
+        self._timer.stop()
+        self.cancel_button.setEnabled(False)
+        if not self.failed:
+            self.reject()
+
+    def _failed(self, error):
+        names = None
+        source = mesh_object.source_of(self.mesh)
+        if getattr(error, "kind", "") == "no_mesh":
+            names = messages.faces_to_blame(error, names_of(source, shape_to_mesh(source, self.mesh.Solid)))
+            for name in names:
+                FreeCADGui.Selection.addSelection(source.Document.Name, source.Name, name)
+            if names:
+                source.ViewObject.Visibility = True
+        text = "<b>%s</b><br>%s" % (self.mesh.Label, messages.failure_text(error, names))
+        if getattr(error, "kind", "") == "cancelled":
+            text = tr("cancelled; the old mesh stays")
+        self.failed.append(text)
+        self.state.setText("<br><br>".join(self.failed))
+        FreeCAD.Console.PrintError(messages.failure_text(error, names, plain=True) + "\n")
+
+    def getStandardButtons(self):
+        return int(QtGui.QDialogButtonBox.Close)
+
+    def reject(self):
+        self._timer.stop()
+        if self.job is not None:
+            self.job.cancel()
+        FreeCADGui.Control.closeDialog()
+        return True
+
+    def isAllowedAlterDocument(self):
+        return True
+
+    def isAllowedAlterView(self):
+        return True
+
+
+current = None
+
+
+def open_panel(meshes):
+    global current
+    if FreeCADGui.Control.activeDialog():
+        messages.tell(tr("Another task is open: close it first."))
+        return None
+    current = RefreshPanel(meshes)
+    FreeCADGui.Control.showDialog(current)
+    current.start()
+    return current

@@ -1,0 +1,147 @@
+# HexFeatureWB - LGPL-2.1-or-later
+"""Input widgets made from the core's list of options, so that a new option appears without a line here."""
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+from ..translate import tr
+
+
+def title_of(option):
+    """What a person calls an option; a new one is called by its name."""
+    return {
+        "method": tr("Method"),
+        "order": tr("Element order"),
+        "labels": tr("Labels"),
+        "capture": tr("Edges to follow"),
+        "sheets": tr("O-grid sheets"),
+        "minimum_layers": tr("Elements through a thickness, at least"),
+        "beta": tr("Smoothing speed of the paper's labels"),
+        "smoothing_rounds": tr("Smoothing rounds of the paper's labels"),
+        "crease_angle": tr("Crease angle of triangle surfaces (degrees)"),
+        "time_limit": tr("Time limit (s), 0: none"),
+        "threads": tr("Threads"),
+    }.get(option, option.replace("_", " ").capitalize())
+
+
+def choice_title(option, choice):
+    """What a person calls a choice of an option."""
+    return {
+        ("method", "auto"): tr("automatic"),
+        ("method", "feature-line"): tr("feature lines"),
+        ("labels", "regions"): tr("on CAD regions"),
+        ("labels", "paper"): tr("the paper's, on triangles"),
+        ("capture", "all"): tr("all CAD edges"),
+        ("capture", "sharp"): tr("sharp CAD edges"),
+        ("order", 1): tr("first: 8 nodes"),
+        ("order", 2): tr("second: 20 nodes, for stresses"),
+    }.get((option, choice), str(choice))
+
+
+class OptionWidget:
+    """One option as `widget`; `changed` is called without arguments when the user changes it."""
+
+    def __init__(self, spec, value, changed):
+        self.spec = spec
+        if spec["name"] == "order" or spec["choices"]:
+            self._values = [1, 2] if spec["name"] == "order" else list(spec["choices"])
+            self.widget = QtGui.QComboBox()
+            self.widget.addItems([choice_title(spec["name"], v) for v in self._values])
+            # A long choice must not make the panel wide.
+            self.widget.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+            self.widget.setMinimumContentsLength(8)
+            signal = self.widget.currentIndexChanged
+        elif spec["type"] == "bool":
+            self.widget = QtGui.QCheckBox()
+            signal = self.widget.toggled
+        elif spec["type"] in ("int", "float"):
+            self.widget = QtGui.QSpinBox() if spec["type"] == "int" else QtGui.QDoubleSpinBox()
+            low, high = spec["minimum"], spec["maximum"]
+            self.widget.setRange(-1e9 if low is None else low, 1e9 if high is None else high)
+            self.widget.setKeyboardTracking(False)
+            signal = self.widget.valueChanged
+        else:
+            self.widget = QtGui.QLineEdit()
+            signal = self.widget.editingFinished
+        self.widget.setObjectName("option_" + spec["name"])
+        self.widget.setToolTip(spec["help"])
+        self.set_value(value)
+        signal.connect(lambda *_: changed())
+
+    def value(self):
+        if isinstance(self.widget, QtGui.QComboBox):
+            return self._values[self.widget.currentIndex()]
+        if isinstance(self.widget, QtGui.QCheckBox):
+            return self.widget.isChecked()
+        if isinstance(self.widget, QtGui.QLineEdit):
+            return self.widget.text()
+        return self.widget.value()
+
+    def set_value(self, value):
+        if isinstance(self.widget, QtGui.QComboBox):
+            self.widget.setCurrentIndex(self._values.index(value) if value in self._values else 0)
+        elif isinstance(self.widget, QtGui.QCheckBox):
+            self.widget.setChecked(bool(value))
+        elif isinstance(self.widget, QtGui.QLineEdit):
+            self.widget.setText(str(value))
+        else:
+            self.widget.setValue(value)
+
+
+class LengthEdit:
+    """FreeCAD's own input of a length with its unit: takes "4 mm", "0.2 in", "1+2"."""
+
+    def __init__(self, name, changed):
+        self.widget = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
+        self.widget.setObjectName(name)
+        self.widget.setProperty("unit", "mm")
+        self.widget.setProperty("minimum", 0.0)
+        QtCore.QObject.connect(self.widget, QtCore.SIGNAL("valueChanged(double)"), lambda value: changed(value))
+
+    def value(self):
+        """In mm."""
+        return float(self.widget.property("rawValue"))
+
+    def set_value(self, millimetres):
+        self.widget.setProperty("rawValue", millimetres)
+
+    def set_step(self, millimetres):
+        self.widget.setProperty("singleStep", millimetres)
+
+
+def nice(value):
+    """Three significant digits."""
+    return float("%.3g" % value)
+
+
+def number(value):
+    """A count for people: 12,345 in the user's way."""
+    return QtCore.QLocale().toString(int(value))
+
+
+def length_text(millimetres):
+    return FreeCAD.Units.Quantity(millimetres, FreeCAD.Units.Length).UserString
+
+
+class Fold(QtGui.QWidget):
+    """A title that opens and closes what is under it."""
+
+    def __init__(self, title, content, opened=False):
+        super().__init__()
+        self.button = QtGui.QToolButton()
+        self.button.setText(title)
+        self.button.setCheckable(True)
+        self.button.setAutoRaise(True)
+        self.button.setToolButtonStyle(QtCore.Qt.ToolButtonTextBesideIcon)
+        self.content = content
+        column = QtGui.QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self.button)
+        column.addWidget(content)
+        self.button.toggled.connect(self._show)
+        self.button.setChecked(opened)
+        self._show(opened)
+
+    def _show(self, opened):
+        self.button.setArrowType(QtCore.Qt.DownArrow if opened else QtCore.Qt.RightArrow)
+        self.content.setVisible(opened)

@@ -1,0 +1,56 @@
+# HexFeatureWB - LGPL-2.1-or-later
+"""Meshing in a thread of its own: started, asked how far it is, cancelled. Knows neither document nor window."""
+import threading
+import time
+
+from . import core
+
+
+class Job(threading.Thread):
+    """One run of the core on a B-rep text; the interpreter is free meanwhile.
+
+    After `is_alive()` has become False exactly one of these is set: `result` (hexfeature._core.Result) or
+    `error` (MeshingError, whose kind is "cancelled" after `cancel()`; or another exception: a bug).
+    """
+
+    def __init__(self, brep, options):
+        super().__init__(name="HexFeatureWB", daemon=True)
+        self.brep, self.options = brep, dict(options)
+        self.result = self.error = None
+        self.step, self.fraction = "", 0.0
+        self.lines = []  #: of the log, in order; other threads may read it while it grows
+        self.started_at = self.ended_at = None
+        self._cancelled = threading.Event()
+
+    def start(self):
+        self.started_at = time.monotonic()
+        super().start()
+        return self
+
+    def run(self):
+        try:
+            self.result = core.load().mesh_brep(self.brep, self.options, self._progress, self._log, self._cancelled.is_set)
+        except BaseException as error:  # handed to whoever started the job
+            self.error = error
+        self.ended_at = time.monotonic()
+
+    def cancel(self):
+        """Ask it to stop; it ends within 0.2 s."""
+        self._cancelled.set()
+
+    @property
+    def was_cancelled(self):
+        return self._cancelled.is_set()
+
+    @property
+    def seconds(self):
+        """Since the start, or from start to end."""
+        return (self.ended_at or time.monotonic()) - self.started_at if self.started_at else 0.0
+
+    def _progress(self, step, fraction):
+        if step != self.step:
+            self.lines.append("%6.2f s  %s" % (self.seconds, step))
+        self.step, self.fraction = step, fraction
+
+    def _log(self, line):
+        self.lines.append("%6.2f s  %s" % (self.seconds, line))
