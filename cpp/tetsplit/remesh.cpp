@@ -384,12 +384,12 @@ int Remesher::find(int a, int b) {
   return -1;
 }
 
-bool Remesher::cut_tip(int h, int g, double width) {
+bool Remesher::cut_tip(int h, int g, double width, double longest) {
   // Outgoing along the two CAD edges; the tip's face is to the left of h and to the right of g.
   const LengthAt as_before = [](const Vec3&) { return 1.0; };
   const int tip = from(h), face = face_[h / 3];
   const std::array<int, 2> cad{edge_[h], edge_[g]};
-  const double most = std::min(geometry_.edge(cad[0]).length, geometry_.edge(cad[1]).length) / 12;
+  const double most = std::min(longest, std::min(geometry_.edge(cad[0]).length, geometry_.edge(cad[1]).length) / 12);
   // How far the tip is narrower than `width`: steps along the first edge.
   const Vec3 apex = points_[tip];
   const auto gap_at = [&](double s, Vec3& first, Vec3& second) {
@@ -469,7 +469,7 @@ bool Remesher::cut_tip(int h, int g, double width) {
   return zipped > 0;
 }
 
-int Remesher::cut_tips(double width, Context& context) {
+int Remesher::cut_tips(double width, double longest, Context& context) {
   length_.resize(points_.size(), 1);
   constexpr double kNarrow = 0.94;  // cosine of 20 degrees, between the first mesh edges
   int count = 0;
@@ -487,7 +487,7 @@ int Remesher::cut_tips(double width, Context& context) {
       if (face_[h / 3] != face_[opposite_[g] / 3] || edge_[h] == edge_[g]) continue;
       const Vec3 p = points_[to(h)] - points_[v], q = points_[to(g)] - points_[v];
       if (p.dot(q) < kNarrow * p.norm() * q.norm()) continue;
-      if (!cut_tip(h, g, width)) continue;
+      if (!cut_tip(h, g, width, longest)) continue;
       ++count;
       break;  // the ring is another now
     }

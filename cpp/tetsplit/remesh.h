@@ -31,9 +31,9 @@ class Remesher {
   void cut_ears(Context& context);
 
   /// Where a face runs out into a tip between two CAD edges that touch (a line and its tangent arc), no element can have an angle.
-  /// Such tips narrower than `width` are cut: the second edge ends on the first, at a point that stays. They are no longer than
-  /// a twelfth of either edge. Call on a mesh that is fine along CAD edges. Returns their number.
-  int cut_tips(double width, Context& context);
+  /// Such tips narrower than `width` are cut: the second edge ends on the first, at a point that stays. What is cut is no longer
+  /// than `longest`, and than a twelfth of either edge. Call on a mesh that is fine along CAD edges. Returns their number.
+  int cut_tips(double width, double longest, Context& context);
 
   /// `halfedge_edge` names the CAD edges followed; no seams. `pinned`: the points where tips were cut.
   SurfaceMesh result(std::vector<int>* pinned = nullptr) const;
@@ -55,7 +55,7 @@ class Remesher {
   void split(int h, const LengthAt& length);
   bool collapse(int h, bool forced = false);
   bool flip(int h, bool forced = false);
-  bool cut_tip(int h, int g, double width);
+  bool cut_tip(int h, int g, double width, double longest);
   int find(int a, int b);
   bool slide(int v, const LengthAt& length);
   bool may_vanish(int h) const;

@@ -66,7 +66,7 @@ double SizeField::at(const Vec3& p) const {
 
 void SizeField::follow_curvature(const SizeOptions& options) {
   const auto length_of = [&](double curvature, double tight) {
-    return std::max(options.turn / curvature, std::min(tight / curvature, options.least));
+    return std::max(options.turn / curvature, std::min(tight / curvature, options.least_curve));
   };
   // Of the faces: how fast the true normals turn along triangle edges.
   for (int h = 0; h < 3 * mesh_.triangle_count(); ++h) {

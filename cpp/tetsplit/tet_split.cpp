@@ -19,7 +19,7 @@ constexpr double kTetEdge = 3.2;
 /// CAD edges shorter than this many h may vanish; what is lost is less than any node's tolerance.
 constexpr double kTiny = 0.01;
 /// Tips of faces are cut where they are narrower than this many h: well within what a sharp edge may stray.
-constexpr double kTipWidth = 0.06;
+constexpr double kTipWidth = 0.06, kTipLength = 0.45;
 
 std::vector<Vec3> bad_places(const HexComplex& mesh, double limit) {
   std::vector<Vec3> places;
@@ -42,11 +42,10 @@ HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const
   SizeOptions sizes;
   sizes.longest = kTetEdge * h;
   sizes.least = 0.7 * h;
+  sizes.least_curve = 1.1 * h;
   sizes.least_wall = 0.35 * h;
   Remesher fine(surface, geometry, kTiny * h);
   fine.refine([&](const Vec3&) { return h; }, context);
-  const int tips = fine.cut_tips(kTipWidth * h, context);
-  context.log("tet-split: " + std::to_string(tips) + " tips cut");
   const SizeField base(fine.result(), geometry, sizes, context);
   SizeField field = base;
 
@@ -85,11 +84,13 @@ HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const
         best = mesh;
       }
       if (smoothed.inverted == 0 && smoothed.min_sj >= options.good_enough) break;
-      // Once finer where it was bad; where that does not help (tips get worse by it), all a little finer: other elements meet there.
-      if (attempt % 2 == 0)
+      // Finer where it was bad; then without the tips of faces, which get worse the finer they are, and so a little finer.
+      if (attempt == 0) {
         field.refine(bad_places(mesh, options.good_enough), kFiner);
-      else
-        field = base.scaled(std::pow(kOtherwise, (attempt + 1) / 2));
+      } else {
+        if (attempt == 1) context.log("tet-split: " + std::to_string(fine.cut_tips(kTipWidth * h, kTipLength * h, context)) + " tips cut");
+        field = base.scaled(std::pow(kOtherwise, attempt - 1));
+      }
     } catch (const MeshingError& error) {
       if (error.kind != Failure::NoMesh) throw;
       context.log("tet-split, attempt " + std::to_string(attempt + 1) + " gave up in step " + error.step + ": " + error.reason);
