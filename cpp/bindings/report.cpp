@@ -85,6 +85,32 @@ py::dict report_of(const Result& r) {
     report["second_order"] = second;
   }
 
+  py::dict limits;
+  constexpr double kDegrees = 180 / 3.14159265358979323846;
+  limits["bound"] = r.limits.bound;
+  py::list sharp_edges, tips;
+  for (const EdgeLimit& e : r.limits.edges) {
+    py::dict d;
+    d["cad_edge"] = e.cad_edge;
+    d["angle_degrees"] = e.angle * kDegrees;
+    d["bound"] = e.bound;
+    d["bound_for_elements"] = e.best_count;
+    d["min_scaled_jacobian"] = e.min_sj;
+    d["most_elements"] = e.most_crowded;
+    sharp_edges.append(d);
+  }
+  for (const TipLimit& t : r.limits.tips) {
+    py::dict d;
+    d["cad_vertex"] = t.cad_vertex;
+    d["cad_face"] = t.cad_face;
+    d["angle_degrees"] = t.angle * kDegrees;
+    d["bound"] = t.bound;
+    tips.append(d);
+  }
+  limits["sharp_edges"] = sharp_edges;
+  limits["face_tips"] = tips;
+  report["limits"] = limits;
+
   py::dict labels;
   labels["charts"] = r.labels.shape.chart_count();
   labels["arcs"] = r.labels.shape.arc_count();

@@ -10,8 +10,25 @@ namespace hexfeature {
 
 namespace {
 
+/// Points of the surface mesh that tell whether a face is covered by its own quads: its corners and what is on curved faces and edges.
+/// Along a straight tangent edge that no mesh edge follows the border between two groups may be off by an element.
+std::vector<char> telling_points(const SurfaceMesh& surface, const Geometry& geometry) {
+  std::vector<char> telling(surface.points.size(), 0);
+  for (int v = 0; v < surface.point_count(); ++v) {
+    const CadPlace& place = surface.place[v];
+    if (place.dim == 0) telling[v] = 1;
+    if (place.dim == 2) telling[v] = geometry.face(place.entity).kind != SurfaceKind::Plane;
+    if (place.dim != 1) continue;
+    const CadEdge& edge = geometry.edge(place.entity);
+    const Vec3 chord = geometry.projector->edge_point(place.entity, edge.t1).point - geometry.projector->edge_point(place.entity, edge.t0).point;
+    telling[v] = edge.length - chord.norm() > 1e-6 * edge.length;
+  }
+  return telling;
+}
+
 /// Longest distance from the sampled faces to the quads of their own face, per face.
-std::vector<double> gaps(const HexComplex& mesh, const SurfaceMesh& surface, int faces) {
+std::vector<double> gaps(const HexComplex& mesh, const SurfaceMesh& surface, const Geometry& geometry) {
+  const int faces = static_cast<int>(geometry.faces->size());
   SurfaceMesh quads;
   quads.points = mesh.points;
   for (std::size_t q = 0; q < mesh.quads.size(); ++q) {
@@ -22,6 +39,7 @@ std::vector<double> gaps(const HexComplex& mesh, const SurfaceMesh& surface, int
   std::vector<double> gap(faces + 1, 0);
   if (quads.triangles.empty()) return gap;
   const TriangleTree tree(quads);
+  const std::vector<char> telling = telling_points(surface, geometry);
   const auto look = [&](int face, const Vec3& p) {
     const ClosestPoint c = tree.closest_if(p, [&](int t) { return mesh.quad_face[t / 2] == face; });
     if (c.triangle >= 0) gap[face] = std::max(gap[face], std::sqrt(c.distance2));
@@ -29,8 +47,8 @@ std::vector<double> gaps(const HexComplex& mesh, const SurfaceMesh& surface, int
   for (int t = 0; t < surface.triangle_count(); ++t) {
     const int face = surface.triangle_face[t];
     if (face <= 0) continue;
-    look(face, surface.centroid(t));
-    for (int v : surface.triangles[t]) look(face, surface.points[v]);
+    for (int v : surface.triangles[t])
+      if (telling[v]) look(face, surface.points[v]);
   }
   return gap;
 }
@@ -82,7 +100,7 @@ Faithfulness measure_faithfulness(const HexComplex& mesh, const Geometry& geomet
 
   if (surface != nullptr) {
     constexpr double kLargestGap = 0.5;
-    const std::vector<double> gap = gaps(mesh, *surface, faces);
+    const std::vector<double> gap = gaps(mesh, *surface, geometry);
     for (int f = 1; f <= faces; ++f) {
       result.largest_gap = std::max(result.largest_gap, gap[f]);
       if (gap[f] > kLargestGap * size) result.faces_not_covered.push_back(f);

@@ -27,6 +27,13 @@ Worth worth_of(const HexComplex& mesh, const SmoothReport& smoothing, const Soli
                0.01 * static_cast<double>(kept.corners_lost.size());
   worth.min_sj = smoothing.min_sj;
   worth.mean_sj = smoothing.mean_sj;
+  const auto list = [](const std::vector<int>& ids) {
+    std::string text;
+    for (int id : ids) text += " " + std::to_string(id);
+    return ids.empty() ? " none" : text;
+  };
+  task.run.context.log("CAD faces without quads:" + list(kept.faces_without_quads) + "; not covered:" + list(kept.faces_not_covered) +
+                       "; sharp edges not followed:" + list(kept.sharp_edges_not_followed) + "; corners lost:" + list(kept.corners_lost));
   return worth;
 }
 

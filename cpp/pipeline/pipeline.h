@@ -9,6 +9,7 @@
 #include "label/labels.h"
 #include "lattice/lattice.h"
 #include "mesh/hex_complex.h"
+#include "quality/limits.h"
 #include "quality/quality.h"
 #include "sheet/sheet.h"
 #include "smooth/smooth.h"
@@ -59,6 +60,7 @@ struct Result {
   QualityReport quality;
   SheetReport sheets;
   SmoothReport smoothing;
+  Limits limits;                              ///< what the part's own angles allow, beside what the mesh has
   std::vector<int> faces_without_quads;       ///< CAD faces that no quad covers
   std::vector<int> sharp_edges_not_followed;  ///< sharp CAD edges that mesh edges do not follow in full
   int cad_faces = 0, cad_edges = 0, cad_vertices = 0, solids = 1;

@@ -20,6 +20,8 @@ constexpr double kTetEdge = 3.2;
 constexpr double kTiny = 0.01;
 /// Tips of faces are cut where they are narrower than this many h: well within what a sharp edge may stray.
 constexpr double kTipWidth = 0.06, kTipLength = 0.45;
+/// ... and only where the worst element stays below this with them: a cut costs a little of the two sharp edges.
+constexpr double kTipsForbid = 0.1;
 
 std::vector<Vec3> bad_places(const HexComplex& mesh, double limit) {
   std::vector<Vec3> places;
@@ -84,11 +86,13 @@ HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const
         best = mesh;
       }
       if (smoothed.inverted == 0 && smoothed.min_sj >= options.good_enough) break;
-      // Finer where it was bad; then without the tips of faces, which get worse the finer they are, and so a little finer.
+      // Finer where it was bad; then, where tips of faces forbid a better mesh, without them; then a little finer everywhere, since
+      // other elements meet there.
       if (attempt == 0) {
         field.refine(bad_places(mesh, options.good_enough), kFiner);
       } else {
-        if (attempt == 1) context.log("tet-split: " + std::to_string(fine.cut_tips(kTipWidth * h, kTipLength * h, context)) + " tips cut");
+        if (attempt == 1 && report.smoothing.min_sj < kTipsForbid)
+          context.log("tet-split: " + std::to_string(fine.cut_tips(kTipWidth * h, kTipLength * h, context)) + " tips cut");
         field = base.scaled(std::pow(kOtherwise, attempt - 1));
       }
     } catch (const MeshingError& error) {
