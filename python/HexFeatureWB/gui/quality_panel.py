@@ -63,6 +63,7 @@ class QualityPanel:
         self.below = QtGui.QDoubleSpinBox()
         self.below.setObjectName("below")
         self.below.setRange(0, 1)
+        self.below.setDecimals(3)
         self.below.setSingleStep(0.05)
         self.below.setToolTip(tr("Show only elements of a scaled Jacobian below this; 1 shows all"))
         self.below.setValue(self.view.ShowBelow)
@@ -146,8 +147,8 @@ class QualityPanel:
         if elements is not None and len(elements.quality) > 10:
             import numpy as np
 
-            # rounded up: the spin box has two digits
-            self.below.setValue(min(1.0, float(np.ceil(np.partition(elements.quality, 9)[9] * 100 + 1e-9)) / 100))
+            # rounded up: the spin box has three digits
+            self.below.setValue(min(1.0, float(np.ceil(np.partition(elements.quality, 9)[9] * 1000 + 1e-9)) / 1000))
 
     def _set(self, name, value):
         if getattr(self.view, name) != value:

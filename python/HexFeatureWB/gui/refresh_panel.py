@@ -33,7 +33,7 @@ class RefreshPanel:
         self.cancel_button.clicked.connect(self.cancel)
         for widget in (self.state, self.bar, self.cancel_button):
             column.addWidget(widget)
-        self._timer = QtCore.QTimer()
+        self._timer = QtCore.QTimer(self.form)
         self._timer.timeout.connect(self._look)
 
     def start(self):
