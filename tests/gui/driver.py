@@ -14,13 +14,8 @@ SIZE = 1360, 840
 def prepare_window():
     """A window of a known size, with a task panel wide enough for every version's widgets."""
     window = FreeCADGui.getMainWindow()
-    output = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/OutputWindow")
-    for what in ("Error", "Warning", "NormalMessage", "LogMessage"):
-        output.SetBool("checkShowReportViewOn" + what, False)
     window.showNormal()
     window.setGeometry(0, 0, *SIZE)
-    for tip in window.findChildren(QtGui.QMdiSubWindow):
-        tip.close()  # the start page
     live(0.3)
     docks = [d for d in window.findChildren(QtGui.QDockWidget) if d.isVisible()]
     docks = [d for d in docks if window.dockWidgetArea(d) == QtCore.Qt.LeftDockWidgetArea]

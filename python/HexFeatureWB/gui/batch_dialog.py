@@ -21,7 +21,7 @@ class BatchDialog(QtGui.QDialog):
     def __init__(self, parent=None):
         super().__init__(parent)
         self.setWindowTitle(tr("Batch of hex meshes"))
-        self.setWindowIcon(QtGui.QIcon(messages.icon("HexFeature_Batch")))
+        self.setWindowIcon(messages.qicon("HexFeature_Batch"))
         self.resize(860, 520)
         self.rows, self._items, self._item, self.job = [], None, None, None
         self._timer = QtCore.QTimer(self)

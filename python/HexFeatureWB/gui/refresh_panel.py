@@ -20,7 +20,7 @@ class RefreshPanel:
         self.failed = []
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(tr("Refresh mesh"))
-        self.form.setWindowIcon(QtGui.QIcon(messages.icon("HexFeature_Refresh")))
+        self.form.setWindowIcon(messages.qicon("HexFeature_Refresh"))
         column = QtGui.QVBoxLayout(self.form)
         self.state = QtGui.QLabel()
         self.state.setObjectName("state")
@@ -99,7 +99,7 @@ class RefreshPanel:
         FreeCAD.Console.PrintError(messages.failure_text(error, names, plain=True) + "\n")
 
     def getStandardButtons(self):
-        return int(QtGui.QDialogButtonBox.Close)
+        return messages.number_of(QtGui.QDialogButtonBox.Close)
 
     def reject(self):
         self._timer.stop()

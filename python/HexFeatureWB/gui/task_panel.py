@@ -41,7 +41,7 @@ class HexMeshPanel:
     def _build(self, solid):
         form = QtGui.QWidget()
         form.setWindowTitle(tr("Hex mesh from solid"))
-        form.setWindowIcon(QtGui.QIcon(messages.icon("HexFeature_Mesh")))
+        form.setWindowIcon(messages.qicon("HexFeature_Mesh"))
         column = QtGui.QVBoxLayout(form)
         grid = QtGui.QFormLayout()
         grid.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
@@ -120,7 +120,7 @@ class HexMeshPanel:
         self.mesh_button = QtGui.QPushButton(tr("Mesh again") if self.mesh else tr("Mesh"))
         self.mesh_button.setObjectName("mesh_button")
         self.mesh_button.setDefault(True)
-        self.mesh_button.setIcon(QtGui.QIcon(messages.icon("HexFeature_Mesh")))
+        self.mesh_button.setIcon(messages.qicon("HexFeature_Mesh"))
         self.mesh_button.clicked.connect(self.start)
         self.cancel_button = QtGui.QPushButton(tr("Cancel"))
         self.cancel_button.setObjectName("cancel_button")
@@ -349,7 +349,7 @@ class HexMeshPanel:
     # ---- FreeCAD's side
 
     def getStandardButtons(self):
-        return int(QtGui.QDialogButtonBox.Close)
+        return messages.number_of(QtGui.QDialogButtonBox.Close)
 
     def reject(self):
         """Close: a run is given up; what is in the document stays."""
