@@ -6,7 +6,7 @@ FREECAD := QT_QPA_PLATFORM=offscreen PYTHONPATH=/usr/lib/freecad-python3/lib:/us
 
 cpp_files = $(shell git ls-files 'cpp/*.cpp' 'cpp/*.h' 'tests/cpp/*.cpp' 'tests/cpp/*.h')
 
-.PHONY: help deps build demo gallery bench test test-cpp test-freecad test-python test-gui gui-pictures translations lint tidy format wheel clean
+.PHONY: help deps build demo gallery bench test test-cpp test-freecad test-python test-gui gui-pictures translations lint tidy format wheel bundled-wheel clean
 .NOTPARALLEL:
 
 help:  ## this list
@@ -31,6 +31,7 @@ test-cpp: build
 
 test-freecad: build
 	QT_QPA_PLATFORM=offscreen freecadcmd -P python -P tests/freecad -P tests/parts -t TestHexFeature
+	QT_QPA_PLATFORM=offscreen freecadcmd -P python -P tests/freecad -P tests/parts -t TestHexFeatureWindowless
 
 test-python: build
 	$(PYTEST) tests/python
@@ -60,6 +61,10 @@ tidy: build  ## clang-tidy on every source (minutes)
 
 format: deps  ## format the C++ sources
 	clang-format -i $(cpp_files)
+
+bundled-wheel: wheel  ## a wheel in dist/repaired that carries its OpenCASCADE inside
+	build/wheel-env/bin/pip install --quiet auditwheel
+	PATH="$(CURDIR)/build/wheel-env/bin:$$PATH" build/wheel-env/bin/auditwheel repair --wheel-dir dist/repaired dist/hexfeature-*.whl
 
 wheel: deps  ## a wheel in dist/, built in an environment of its own
 	$(PYTHON) -m venv build/wheel-env

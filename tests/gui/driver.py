@@ -14,6 +14,9 @@ SIZE = 1360, 840
 def prepare_window():
     """A window of a known size, with a task panel wide enough for every version's widgets."""
     window = FreeCADGui.getMainWindow()
+    for dock in window.findChildren(QtGui.QDockWidget):
+        if dock.objectName() in ("Python console", "Report view"):
+            dock.hide()
     window.showNormal()
     window.setGeometry(0, 0, *SIZE)
     live(0.3)

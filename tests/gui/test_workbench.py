@@ -434,6 +434,36 @@ class TestMacro(GuiTest):
         self.assertEqual((again.HexCount, again.ViewObject.CutAxis, again.ViewObject.DisplayMode), (count, "X", "Quality"))
 
 
+class TestAnalysis(GuiTest):
+    def test_from_a_step_file_to_stresses(self):
+        import FemGui
+        import Import
+        from HexFeatureWB import analysis
+
+        with tempfile.TemporaryDirectory() as folder:
+            document = FreeCAD.newDocument("Bracket")
+            Import.insert(make_parts.make("bracket", folder), document.Name)
+            part = next(o for o in document.Objects if getattr(o, "Shape", None) and o.Shape.Solids)
+            driver.look()
+            mesh = self.mesh(part, 4)
+            centres = {"Face%d" % n: face.CenterOfMass for n, face in enumerate(part.Shape.Faces, 1)}
+            end = max(centres, key=lambda name: centres[name].x)
+            top = max(centres, key=lambda name: centres[name].z)
+            study, solver = analysis.static_analysis(document, mesh, [(part, (end,))], [(part, (top,))], 500.0)
+            FemGui.setActiveAnalysis(study)
+            reaction = FreeCAD.Vector(*analysis.total_reaction(analysis.solve(study, solver, folder)))
+            self.assertAlmostEqual(reaction.Length, 500, delta=0.5)
+            result = next(o for o in study.Group if o.isDerivedFrom("Fem::FemResultObject"))
+            stresses = result.vonMises
+            shown = result.Mesh.ViewObject
+            mesh.ViewObject.Visibility = False
+            shown.Visibility = True
+            shown.setNodeColorByScalars(dict(zip(result.NodeNumbers, stresses)))
+            driver.look()
+            picture("stresses")
+            self.assertGreater(max(stresses), 10 * min(stresses))
+
+
 class TestZGerman(GuiTest):
     def test_the_panel_speaks_german(self):
         FreeCADGui.setLocale("German")
