@@ -24,7 +24,7 @@ class GuiTest(unittest.TestCase):
     def setUp(self):
         settings.group().Clear() if hasattr(settings.group(), "Clear") else None
         FreeCADGui.activateWorkbench("FemWorkbench")
-        live()
+        driver.prepare_window()  # workbenches bring their docks back
 
     def tearDown(self):
         FreeCADGui.Control.closeDialog()
@@ -148,6 +148,7 @@ class TestTaskPanel(GuiTest):
             self.assertEqual(job.error.kind, "cancelled")
             self.assertEqual([o.Name for o in document.Objects], names)
             self.assertTrue(panel.mesh_button.isEnabled())
+            wait_until(lambda: not panel.preview.busy)
         driver.say("cancelled in %s; longest answer %.2f s" % (sorted(cancelled_in), longest))
         self.assertGreater(len(cancelled_in), 1)
         picture("panel-cancelled")
