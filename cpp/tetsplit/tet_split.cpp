@@ -19,7 +19,7 @@ constexpr double kTetEdge = 3.2;
 /// CAD edges shorter than this many h may vanish; what is lost is less than any node's tolerance.
 constexpr double kTiny = 0.01;
 /// Tips of faces are cut where they are narrower than this many h: well within what a sharp edge may stray.
-constexpr double kTipWidth = 0.06, kTipLength = 0.45;
+constexpr double kTipWidth = 0.06, kTipLength = 0.48;
 /// ... and only where the worst element stays below this with them: a cut costs a little of the two sharp edges.
 constexpr double kTipsForbid = 0.1;
 

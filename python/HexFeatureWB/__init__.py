@@ -14,7 +14,7 @@ meshes back. What has a window is in HexFeatureWB.gui.
 """
 _HOMES = {
     "MeshingError": "meshing", "check_groups": "meshing", "mesh": "meshing", "refresh": "meshing",
-    "export": "export", "feature_lines": "models", "recognition_model": "models",
+    "export": "exporting", "feature_lines": "models", "recognition_model": "models",
 }
 __all__ = sorted(_HOMES)
 

@@ -28,7 +28,7 @@ def feature_lines(obj, size=None, name=None, solid=0, **options):
             lines.append(line)
             axes += [axis] * len(line.Edges)
     return _add(obj, name or "FeatureLines", tr("Feature lines"), Part.makeCompound(lines),
-                {"LineColorArray": [AXIS_COLOURS[a] if 0 <= a < 3 else (0.1, 0.1, 0.1) for a in axes], "LineWidth": 3.0})
+                {"LineColorArray": [AXIS_COLOURS[a] if 0 <= a < 3 else (0.1, 0.1, 0.1) for a in axes], "LineWidth": 6.0})
 
 
 def recognition_model(obj, size=None, name=None, solid=0, beside=True, **options):

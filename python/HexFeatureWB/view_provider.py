@@ -2,6 +2,8 @@
 """How a mesh object shows itself in the tree and the 3D view. Module, class and property names are file format."""
 import os
 
+import FreeCAD
+
 ICONS = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))), "Resources", "icons")
 GROUP = "Hex mesh"
 QUALITY = "Quality"  #: name of the display mode
@@ -57,7 +59,8 @@ class HexMeshView:
     def _draw(self, view, forget=False):
         """The node is made only while it is looked at: it costs time and memory."""
         node = getattr(self, "quality", None)
-        if node is None or not hasattr(view, "ColourBar"):
+        # ShowBelow is the last one to be read from a document.
+        if node is None or not hasattr(view, "ShowBelow"):
             return
         if forget:
             node.forget()
@@ -106,18 +109,19 @@ def revive(obj):
     else:
         HexMeshView.add_properties(view)
 
-    def draw():  # when the whole document, views too, has been read
-        try:
-            if headless:
-                # Saved without a window, the document holds no picture of the mesh: setting it again makes one.
-                modified = obj.MadeOf, obj.NeedsRefresh
-                obj.FemMesh = obj.FemMesh
-                obj.MadeOf, obj.NeedsRefresh = modified
-                obj.purgeTouched()
-                view.Visibility = True
-            if view.Proxy:
-                view.Proxy._draw(view, forget=True)
-        except ReferenceError:  # closed again meanwhile
-            pass
+    def draw():  # when the whole document, views too, has been read; it may have been closed meanwhile
+        document = FreeCAD.listDocuments().get(document_name)
+        mesh = document and document.getObject(name)
+        if not mesh or mesh.ViewObject is None:
+            return
+        view = mesh.ViewObject
+        if headless:
+            # Saved without a window, the document holds no picture of the mesh: setting it again makes one.
+            mesh.FemMesh = mesh.FemMesh
+            mesh.purgeTouched()
+            view.Visibility = True
+        if view.Proxy:
+            view.Proxy._draw(view, forget=True)
 
+    document_name, name = obj.Document.Name, obj.Name
     QtCore.QTimer.singleShot(0, draw)

@@ -21,7 +21,7 @@ class BatchDialog(QtGui.QDialog):
     def __init__(self, parent=None):
         super().__init__(parent)
         self.setWindowTitle(tr("Batch of hex meshes"))
-        self.setWindowIcon(QtGui.QIcon(messages.icon("HexFeature_Batch")))
+        self.setWindowIcon(messages.qicon("HexFeature_Batch"))
         self.resize(860, 520)
         self.rows, self._items, self._item, self.job = [], None, None, None
         self._timer = QtCore.QTimer(self)
@@ -35,7 +35,8 @@ class BatchDialog(QtGui.QDialog):
         self.table.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
         self.table.verticalHeader().hide()
         self.table.horizontalHeader().setStretchLastSection(True)
-        self.table.setColumnWidth(0, 190)
+        for column_number, width in enumerate((190, 80, 90, 90, 80, 80, 80)):
+            self.table.setColumnWidth(column_number, width)
         column.addWidget(self.table)
         self.state = QtGui.QLabel(tr("Each solid leaves a FreeCAD document with its mesh, a .unv file and a report."))
         self.state.setObjectName("state")

@@ -142,13 +142,13 @@ class ExportMesh(Command):
         return len(selection.meshes()) == 1
 
     def run(self):
-        from .. import export
+        from .. import exporting
         from . import record
 
         mesh = selection.meshes()[0]
         kinds = {".inp": "CalculiX, Abaqus", ".unv": "I-DEAS", ".med": "SALOME, Code_Aster", ".msh": "Gmsh 2.2", ".vtk": "VTK",
                  ".vtu": "VTK XML"}
-        endings = sorted(export.endings(), key=lambda e: list(kinds).index(e) if e in kinds else len(kinds))
+        endings = sorted(exporting.endings(), key=lambda e: list(kinds).index(e) if e in kinds else len(kinds))
         filters = ["%s (*%s)" % (kinds.get(ending, ending[1:]), ending) for ending in endings]
         folder = os.path.dirname(mesh.Document.FileName) if mesh.Document.FileName else os.path.expanduser("~")
         path, chosen = ask_file(tr("Export mesh"), os.path.join(folder, mesh.Label), filters)

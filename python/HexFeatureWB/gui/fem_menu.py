@@ -7,7 +7,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from ..translate import tr
-from . import commands, settings
+from . import commands, messages, settings
 
 FEM = "FemWorkbench"
 NAME = "HexFeature_InFem"
@@ -53,7 +53,7 @@ def _activated(workbench):
 def _action(name, parent):
     """A command as an action. FreeCAD makes its own action of a command only for the workbench that lists it."""
     info = commands.COMMANDS[name]().GetResources()
-    action = QtGui.QAction(QtGui.QIcon(info["Pixmap"]), info["MenuText"], parent)
+    action = QtGui.QAction(messages.qicon(commands.COMMANDS[name].icon), info["MenuText"], parent)
     action.setObjectName(NAME + "_" + name)
     action.setToolTip("<b>%s</b><br>%s" % (info["MenuText"], info["ToolTip"]))
     action.triggered.connect(lambda *_: FreeCADGui.runCommand(name, 0))

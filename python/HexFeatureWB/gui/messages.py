@@ -18,6 +18,16 @@ def icon(name):
     return os.path.join(ICONS, name + ".svg")
 
 
+def qicon(name):
+    """One of our icons as a QIcon. FreeCAD draws the SVG itself: Qt may lack its plugin for it."""
+    return FreeCADGui.getIcon(icon(name)) if hasattr(FreeCADGui, "getIcon") else QtGui.QIcon(icon(name))
+
+
+def number_of(flag):
+    """A Qt enum as the int that FreeCAD and Qt's painter take, in Qt 5 and 6."""
+    return int(getattr(flag, "value", flag))
+
+
 def tell(text, details=""):
     """A message box that needs no answer. Tests read the last text in `tell.last` and see no box."""
     tell.last = text
@@ -40,11 +50,13 @@ def step_title(step):
         "read": tr("reading the part"),
         "frame": tr("finding directions"),
         "surface": tr("surface triangles"),
+        "label": tr("labels"),
         "labels": tr("labels"),
         "shape": tr("feature lines"),
         "polycube": tr("polycube"),
         "lattice": tr("unit cubes"),
         "fit": tr("fitting to the part"),
+        "sheet": tr("layers under smooth borders"),
         "sheets": tr("layers under smooth borders"),
         "smooth": tr("smoothing"),
         "quality": tr("measuring"),

@@ -15,11 +15,13 @@ POLL, PATIENCE = 40, 250  #: ms: looking for the result; waiting for the user to
 class Preview(QtCore.QObject):
     """Draws on the active 3D view of a document; `remove()` takes everything away again.
 
+    `parent`, a widget, ends it when it dies.
+
     said(text): called with a line for the user about what is shown; ready(job): called when a preview is drawn or failed.
     """
 
-    def __init__(self, document, said, ready=None):
-        super().__init__()
+    def __init__(self, document, said, ready=None, parent=None):
+        super().__init__(parent)
         self._said, self._ready = said, ready or (lambda job: None)
         view = FreeCADGui.getDocument(document.Name).ActiveView
         self._graph = view.getSceneGraph() if hasattr(view, "getSceneGraph") else None
@@ -50,13 +52,18 @@ class Preview(QtCore.QObject):
             self._graph.removeChild(self._root)
         self._graph = None
 
-    def clear(self):
-        """Nothing is drawn until the next show()."""
+    def pause(self):
+        """What is drawn stays; what is computed is given up."""
         self._wait.stop()
         self._poll.stop()
         if self._job:
             self._job.cancel()
             self._job = None
+
+    def clear(self):
+        """Nothing is drawn until the next show()."""
+        self.pause()
+        self.stage = None
         self._wipe()
 
     def _wipe(self):

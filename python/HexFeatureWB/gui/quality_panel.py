@@ -33,7 +33,7 @@ class Histogram(QtGui.QWidget):
             painter.fillRect(QtCore.QRectF(k * width + 1, height - bar, width - 2, bar), QtGui.QColor.fromRgbF(r, g, b))
         for value in (0, 0.5, 1):
             flags = (QtCore.Qt.AlignLeft, QtCore.Qt.AlignHCenter, QtCore.Qt.AlignRight)[int(2 * value)]
-            painter.drawText(QtCore.QRectF(0, height + 2, self.width(), text), int(flags), "%g" % value)
+            painter.drawText(QtCore.QRectF(0, height + 2, self.width(), text), messages.number_of(flags), "%g" % value)
         painter.end()
 
 
@@ -48,7 +48,7 @@ class QualityPanel:
     def _build(self):
         form = QtGui.QWidget()
         form.setWindowTitle(tr("Mesh quality"))
-        form.setWindowIcon(QtGui.QIcon(messages.icon("HexFeature_Quality")))
+        form.setWindowIcon(messages.qicon("HexFeature_Quality"))
         column = QtGui.QVBoxLayout(form)
         figures = QtGui.QLabel(self._figures())
         figures.setObjectName("figures")
@@ -63,6 +63,7 @@ class QualityPanel:
         self.below = QtGui.QDoubleSpinBox()
         self.below.setObjectName("below")
         self.below.setRange(0, 1)
+        self.below.setDecimals(3)
         self.below.setSingleStep(0.05)
         self.below.setToolTip(tr("Show only elements of a scaled Jacobian below this; 1 shows all"))
         self.below.setValue(self.view.ShowBelow)
@@ -146,15 +147,15 @@ class QualityPanel:
         if elements is not None and len(elements.quality) > 10:
             import numpy as np
 
-            # rounded up: the spin box has two digits
-            self.below.setValue(min(1.0, float(np.ceil(np.partition(elements.quality, 9)[9] * 100 + 1e-9)) / 100))
+            # rounded up: the spin box has three digits
+            self.below.setValue(min(1.0, float(np.ceil(np.partition(elements.quality, 9)[9] * 1000 + 1e-9)) / 1000))
 
     def _set(self, name, value):
         if getattr(self.view, name) != value:
             record.set_view(self.mesh, name, value)
 
     def getStandardButtons(self):
-        return int(QtGui.QDialogButtonBox.Close)
+        return messages.number_of(QtGui.QDialogButtonBox.Close)
 
     def reject(self):
         if not self.keep.isChecked() and self._before != "Quality":

@@ -20,7 +20,7 @@ class RefreshPanel:
         self.failed = []
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(tr("Refresh mesh"))
-        self.form.setWindowIcon(QtGui.QIcon(messages.icon("HexFeature_Refresh")))
+        self.form.setWindowIcon(messages.qicon("HexFeature_Refresh"))
         column = QtGui.QVBoxLayout(self.form)
         self.state = QtGui.QLabel()
         self.state.setObjectName("state")
@@ -33,7 +33,7 @@ class RefreshPanel:
         self.cancel_button.clicked.connect(self.cancel)
         for widget in (self.state, self.bar, self.cancel_button):
             column.addWidget(widget)
-        self._timer = QtCore.QTimer()
+        self._timer = QtCore.QTimer(self.form)
         self._timer.timeout.connect(self._look)
 
     def start(self):
@@ -99,7 +99,7 @@ class RefreshPanel:
         FreeCAD.Console.PrintError(messages.failure_text(error, names, plain=True) + "\n")
 
     def getStandardButtons(self):
-        return int(QtGui.QDialogButtonBox.Close)
+        return messages.number_of(QtGui.QDialogButtonBox.Close)
 
     def reject(self):
         self._timer.stop()

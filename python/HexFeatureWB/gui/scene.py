@@ -122,7 +122,7 @@ def on_screen(*nodes):
 
 def colour_bar(title, text_colour=(1, 1, 1)):
     """The scale of element quality at the window's right border, 0 at the bottom and 1 on top."""
-    left, right, low, high = 0.83, 0.865, -0.62, 0.38
+    left, right, low, high = 0.87, 0.905, -0.72, 0.18
     heights = np.linspace(low, high, LEVELS + 1)
     points = [(x, y, 0.0) for y in heights for x in (left, right)]
     quads = [[2 * k, 2 * k + 1, 2 * k + 3, 2 * k + 2] for k in range(LEVELS)]
@@ -131,11 +131,11 @@ def colour_bar(title, text_colour=(1, 1, 1)):
     for value in (0, 0.25, 0.5, 0.75, 1):
         nodes.append(_text("%g" % value, right + 0.015, low + (high - low) * value - 0.012, text_colour))
     for k, line in enumerate(reversed(title.split("\n"))):
-        nodes.append(_text(line, left - 0.03, high + 0.06 + 0.045 * k, text_colour))
+        nodes.append(_text(line, 0.985, high + 0.05 + 0.06 * k, text_colour, coin.SoText2.RIGHT))
     return on_screen(*nodes)
 
 
-def _text(string, x, y, colour):
+def _text(string, x, y, colour, justification=coin.SoText2.LEFT):
     root = coin.SoSeparator()
     place = coin.SoTranslation()
     place.translation = (x, y, 0.0)
@@ -145,6 +145,7 @@ def _text(string, x, y, colour):
     font.size = 15
     text = coin.SoText2()
     text.string = string
+    text.justification = justification
     for node in (place, ink, font, text):
         root.addChild(node)
     return root

@@ -3,16 +3,19 @@
 import FreeCAD
 
 from .. import mesh_object
+from ..translate import CONTEXT
+
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 PATH = "User parameter:BaseApp/Preferences/Mod/HexFeature"
 
 #: name -> (default, text): what the window does
 SWITCHES = {
-    "PreviewLines": (True, "Show feature lines while the panel is open"),
-    "PreviewLabels": (True, "Colour the part by label while the panel is open"),
-    "QualityAfterMeshing": (False, "Colour a new mesh by element quality"),
-    "HidePart": (True, "Hide the part when its mesh is there"),
-    "InFemWorkbench": (True, "Show the hex mesh toolbar and menu in the FEM workbench too"),
+    "PreviewLines": (True, QT_TRANSLATE_NOOP(CONTEXT, "Show feature lines while the panel is open")),
+    "PreviewLabels": (True, QT_TRANSLATE_NOOP(CONTEXT, "Colour the part by label while the panel is open")),
+    "QualityAfterMeshing": (False, QT_TRANSLATE_NOOP(CONTEXT, "Colour a new mesh by element quality")),
+    "HidePart": (True, QT_TRANSLATE_NOOP(CONTEXT, "Hide the part when its mesh is there")),
+    "InFemWorkbench": (True, QT_TRANSLATE_NOOP(CONTEXT, "Show the hex mesh toolbar and menu in the FEM workbench too")),
 }
 
 

@@ -28,10 +28,11 @@ class HexMeshPanel:
         self.source, self.mesh, self.document = source, mesh, source.Document
         self.job = None
         self._hidden = None  # the part, while the preview stands in its place
-        self._timer = QtCore.QTimer()
-        self._timer.timeout.connect(self._look)
         self.form = self._build(mesh.Solid if mesh else solid)
-        self.preview = Preview(self.document, self._preview_says, self._preview_ready)
+        self._timer = QtCore.QTimer(self.form)  # dies with the form, as when the document is closed
+        self._timer.timeout.connect(self._look)
+        self.form.destroyed.connect(lambda *_: self.cancel_worker())
+        self.preview = Preview(self.document, self._preview_says, self._preview_ready, self.form)
         self.preview.set_parts(self.show_lines.isChecked(), self.show_labels.isChecked())
         self._changed()
 
@@ -40,7 +41,7 @@ class HexMeshPanel:
     def _build(self, solid):
         form = QtGui.QWidget()
         form.setWindowTitle(tr("Hex mesh from solid"))
-        form.setWindowIcon(QtGui.QIcon(messages.icon("HexFeature_Mesh")))
+        form.setWindowIcon(messages.qicon("HexFeature_Mesh"))
         column = QtGui.QVBoxLayout(form)
         grid = QtGui.QFormLayout()
         grid.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
@@ -119,7 +120,7 @@ class HexMeshPanel:
         self.mesh_button = QtGui.QPushButton(tr("Mesh again") if self.mesh else tr("Mesh"))
         self.mesh_button.setObjectName("mesh_button")
         self.mesh_button.setDefault(True)
-        self.mesh_button.setIcon(QtGui.QIcon(messages.icon("HexFeature_Mesh")))
+        self.mesh_button.setIcon(messages.qicon("HexFeature_Mesh"))
         self.mesh_button.clicked.connect(self.start)
         self.cancel_button = QtGui.QPushButton(tr("Cancel"))
         self.cancel_button.setObjectName("cancel_button")
@@ -251,7 +252,7 @@ class HexMeshPanel:
         except meshing.MeshingError as error:
             self.state.setText(messages.failure_text(error, None))
             return
-        self.preview.clear()
+        self.preview.pause()
         self.job = Job(brep, self.chosen()).start()
         for widget in self._inputs():
             widget.setEnabled(False)
@@ -264,6 +265,11 @@ class HexMeshPanel:
             self.job.cancel()
             self.cancel_button.setEnabled(False)
             self.state.setText(tr("cancelling ..."))
+
+    def cancel_worker(self):
+        """Touches no widget: also called when they are gone."""
+        if self.job is not None:
+            self.job.cancel()
 
     def _inputs(self):
         return [self.size.widget, self.slider, self.solid, self.mesh_button, self.advanced,
@@ -299,6 +305,7 @@ class HexMeshPanel:
 
     def _take(self, job):
         """Put the finished mesh into the document, by the line that the macro recorder sees."""
+        self.preview.clear()
         self._show_part()
         meshing.offer(job.brep, job.options, job.result)
         self.state.setText(tr("writing the mesh into the document ..."))
@@ -342,7 +349,7 @@ class HexMeshPanel:
     # ---- FreeCAD's side
 
     def getStandardButtons(self):
-        return int(QtGui.QDialogButtonBox.Close)
+        return messages.number_of(QtGui.QDialogButtonBox.Close)
 
     def reject(self):
         """Close: a run is given up; what is in the document stays."""

@@ -29,6 +29,7 @@ def choice_title(option, choice):
     return {
         ("method", "auto"): tr("automatic"),
         ("method", "feature-line"): tr("feature lines"),
+        ("method", "tet-split"): tr("from tetrahedra, of low quality"),
         ("labels", "regions"): tr("on CAD regions"),
         ("labels", "paper"): tr("the paper's, on triangles"),
         ("capture", "all"): tr("all CAD edges"),
@@ -64,7 +65,7 @@ class OptionWidget:
             self.widget = QtGui.QLineEdit()
             signal = self.widget.editingFinished
         self.widget.setObjectName("option_" + spec["name"])
-        self.widget.setToolTip(spec["help"])
+        self.widget.setToolTip(tr(spec["help"]))
         self.set_value(value)
         signal.connect(lambda *_: changed())
 
@@ -96,6 +97,7 @@ class LengthEdit:
         self.widget.setObjectName(name)
         self.widget.setProperty("unit", "mm")
         self.widget.setProperty("minimum", 0.0)
+        self.widget.setProperty("maximum", 1e6)  # the widget is as wide as its longest number
         QtCore.QObject.connect(self.widget, QtCore.SIGNAL("valueChanged(double)"), lambda value: changed(value))
 
     def value(self):

@@ -1,0 +1,581 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+  <context>
+    <name>HexFeature</name>
+    <message>
+      <source>%(count)s hexahedra in %(seconds).1f s by %(method)s
+scaled Jacobian: worst %(worst).3f, mean %(mean).3f</source>
+      <translation>%(count)s Hexaeder in %(seconds).1f s mit %(method)s
+skalierte Jacobi-Determinante: schlechteste %(worst).3f, Mittel %(mean).3f</translation>
+    </message>
+    <message>
+      <source>%(mesh)s (%(number)d of %(count)d): %(step)s, %(seconds).1f s</source>
+      <translation>%(mesh)s (%(number)d von %(count)d): %(step)s, %(seconds).1f s</translation>
+    </message>
+    <message>
+      <source>%(meshed)d of %(all)d meshed; summary.csv is in %(folder)s</source>
+      <translation>%(meshed)d von %(all)d vernetzt; summary.csv liegt in %(folder)s</translation>
+    </message>
+    <message>
+      <source>%(some)s of %(all)s elements</source>
+      <translation>%(some)s von %(all)s Elementen</translation>
+    </message>
+    <message>
+      <source>%(step)s, %(seconds).1f s</source>
+      <translation>%(step)s, %(seconds).1f s</translation>
+    </message>
+    <message>
+      <source>%d regions, %d feature lines</source>
+      <translation>%d Gebiete, %d Merkmalslinien</translation>
+    </message>
+    <message>
+      <source>0: each part gets a size of its own, for about 3,000 elements</source>
+      <translation>0: jedes Teil bekommt seine eigene Größe, für etwa 3000 Elemente</translation>
+    </message>
+    <message>
+      <source>1 is best</source>
+      <translation>1 ist am besten</translation>
+    </message>
+    <message>
+      <source>1: 8-node hexahedra, 2: 20-node hexahedra</source>
+      <translation>1: Hexaeder mit 8 Knoten, 2: mit 20 Knoten</translation>
+    </message>
+    <message>
+      <source>Add files ...</source>
+      <translation>Dateien hinzufügen ...</translation>
+    </message>
+    <message>
+      <source>Add the lines that the selected solid's mesh starts from, the borders of its blocks, as an object</source>
+      <translation>Die Linien, von denen das Netz des gewählten Körpers ausgeht (die Ränder seiner Blöcke), als Objekt hinzufügen</translation>
+    </message>
+    <message>
+      <source>Add the polycube that the selected solid is straightened into, beside it, as an object</source>
+      <translation>Den Polycube, zu dem der gewählte Körper begradigt wird, daneben als Objekt hinzufügen</translation>
+    </message>
+    <message>
+      <source>All-hexahedral meshes of CAD solids</source>
+      <translation>Reine Hexaedernetze von CAD-Körpern</translation>
+    </message>
+    <message>
+      <source>Another task is open: close it first.</source>
+      <translation>Eine andere Aufgabe ist offen: bitte erst schließen.</translation>
+    </message>
+    <message>
+      <source>Batch</source>
+      <translation>Stapel</translation>
+    </message>
+    <message>
+      <source>Batch of hex meshes</source>
+      <translation>Stapel von Hexaedernetzen</translation>
+    </message>
+    <message>
+      <source>CAD edges that mesh edges follow: sharp ones, or all</source>
+      <translation>CAD-Kanten, denen Netzkanten folgen: scharfe oder alle</translation>
+    </message>
+    <message>
+      <source>CAD files</source>
+      <translation>CAD-Dateien</translation>
+    </message>
+    <message>
+      <source>Cancel</source>
+      <translation>Abbrechen</translation>
+    </message>
+    <message>
+      <source>Cannot make the folder: %s</source>
+      <translation>Der Ordner lässt sich nicht anlegen: %s</translation>
+    </message>
+    <message>
+      <source>Choose ...</source>
+      <translation>Wählen ...</translation>
+    </message>
+    <message>
+      <source>Close</source>
+      <translation>Schließen</translation>
+    </message>
+    <message>
+      <source>Colour a new mesh by element quality</source>
+      <translation>Ein neues Netz nach Elementqualität färben</translation>
+    </message>
+    <message>
+      <source>Colour scale</source>
+      <translation>Farbskala</translation>
+    </message>
+    <message>
+      <source>Colour the elements of a hex mesh by quality, show bad ones alone, cut the mesh open</source>
+      <translation>Die Elemente eines Hexaedernetzes nach Qualität färben, schlechte allein zeigen, das Netz aufschneiden</translation>
+    </message>
+    <message>
+      <source>Colour the part by label while the panel is open</source>
+      <translation>Das Teil nach Richtungen färben, solange das Fenster offen ist</translation>
+    </message>
+    <message>
+      <source>Crease angle of triangle surfaces (degrees)</source>
+      <translation>Knickwinkel von Dreiecksflächen (Grad)</translation>
+    </message>
+    <message>
+      <source>Cut open</source>
+      <translation>Aufschneiden</translation>
+    </message>
+    <message>
+      <source>Defaults of a new mesh</source>
+      <translation>Vorgaben für ein neues Netz</translation>
+    </message>
+    <message>
+      <source>Each solid leaves a FreeCAD document with its mesh, a .unv file and a report.</source>
+      <translation>Jeder Körper ergibt ein FreeCAD-Dokument mit seinem Netz, eine .unv-Datei und einen Bericht.</translation>
+    </message>
+    <message>
+      <source>Edges to follow</source>
+      <translation>Kanten, denen gefolgt wird</translation>
+    </message>
+    <message>
+      <source>Element order</source>
+      <translation>Elementordnung</translation>
+    </message>
+    <message>
+      <source>Element size</source>
+      <translation>Elementgröße</translation>
+    </message>
+    <message>
+      <source>Element size, 0: chosen for each</source>
+      <translation>Elementgröße, 0: für jedes Teil gewählt</translation>
+    </message>
+    <message>
+      <source>Elements below 0.2</source>
+      <translation>Elemente unter 0,2</translation>
+    </message>
+    <message>
+      <source>Elements by scaled Jacobian, from 0 (left) to 1; heights are square roots of counts</source>
+      <translation>Elemente nach skalierter Jacobi-Determinante, von 0 (links) bis 1; die Höhe ist die Wurzel der Anzahl</translation>
+    </message>
+    <message>
+      <source>Elements through a thickness, at least</source>
+      <translation>Elemente durch die Dicke, mindestens</translation>
+    </message>
+    <message>
+      <source>Export mesh</source>
+      <translation>Netz exportieren</translation>
+    </message>
+    <message>
+      <source>Faces to look at (selected in the view): %s</source>
+      <translation>Zu prüfende Flächen (in der Ansicht ausgewählt): %s</translation>
+    </message>
+    <message>
+      <source>Feature lines</source>
+      <translation>Merkmalslinien</translation>
+    </message>
+    <message>
+      <source>File</source>
+      <translation>Datei</translation>
+    </message>
+    <message>
+      <source>Files</source>
+      <translation>Dateien</translation>
+    </message>
+    <message>
+      <source>Fine elements on the left, coarse ones on the right</source>
+      <translation>Links feine Elemente, rechts grobe</translation>
+    </message>
+    <message>
+      <source>Give files and a folder.</source>
+      <translation>Bitte Dateien und einen Ordner angeben.</translation>
+    </message>
+    <message>
+      <source>Hex mesh</source>
+      <translation>Hexaedernetz</translation>
+    </message>
+    <message>
+      <source>Hex mesh from solid</source>
+      <translation>Hexaedernetz aus Körper</translation>
+    </message>
+    <message>
+      <source>Hexahedra</source>
+      <translation>Hexaeder</translation>
+    </message>
+    <message>
+      <source>Hide the part when its mesh is there</source>
+      <translation>Das Teil ausblenden, wenn sein Netz da ist</translation>
+    </message>
+    <message>
+      <source>Into the folder</source>
+      <translation>In den Ordner</translation>
+    </message>
+    <message>
+      <source>Keep this view when closed</source>
+      <translation>Diese Ansicht nach dem Schließen behalten</translation>
+    </message>
+    <message>
+      <source>Labels</source>
+      <translation>Richtungen</translation>
+    </message>
+    <message>
+      <source>Largest distance from the CAD</source>
+      <translation>Größter Abstand vom CAD</translation>
+    </message>
+    <message>
+      <source>Log</source>
+      <translation>Protokoll</translation>
+    </message>
+    <message>
+      <source>Mean SJ</source>
+      <translation>Mittlere SJ</translation>
+    </message>
+    <message>
+      <source>Mesh</source>
+      <translation>Vernetzen</translation>
+    </message>
+    <message>
+      <source>Mesh again</source>
+      <translation>Neu vernetzen</translation>
+    </message>
+    <message>
+      <source>Mesh again with part and options as they are now: the selected meshes, or all that are out of date</source>
+      <translation>Mit Teil und Optionen, wie sie jetzt sind, neu vernetzen: die gewählten Netze oder alle veralteten</translation>
+    </message>
+    <message>
+      <source>Mesh every solid of many CAD files or FreeCAD documents into a folder</source>
+      <translation>Jeden Körper vieler CAD-Dateien oder FreeCAD-Dokumente in einen Ordner vernetzen</translation>
+    </message>
+    <message>
+      <source>Mesh quality</source>
+      <translation>Netzqualität</translation>
+    </message>
+    <message>
+      <source>Mesh the selected solid with hexahedra: choose the element size, see the feature lines, mesh</source>
+      <translation>Den gewählten Körper mit Hexaedern vernetzen: Elementgröße wählen, Merkmalslinien sehen, vernetzen</translation>
+    </message>
+    <message>
+      <source>Method</source>
+      <translation>Verfahren</translation>
+    </message>
+    <message>
+      <source>More options</source>
+      <translation>Weitere Optionen</translation>
+    </message>
+    <message>
+      <source>No mesh. Step: %s</source>
+      <translation>Kein Netz. Schritt: %s</translation>
+    </message>
+    <message>
+      <source>Nodes</source>
+      <translation>Knoten</translation>
+    </message>
+    <message>
+      <source>O-grid sheets</source>
+      <translation>O-Gitter-Schichten</translation>
+    </message>
+    <message>
+      <source>Only elements below</source>
+      <translation>Nur Elemente unter</translation>
+    </message>
+    <message>
+      <source>Part</source>
+      <translation>Teil</translation>
+    </message>
+    <message>
+      <source>Preview</source>
+      <translation>Vorschau</translation>
+    </message>
+    <message>
+      <source>Recognition model</source>
+      <translation>Erkennungsmodell</translation>
+    </message>
+    <message>
+      <source>Refresh mesh</source>
+      <translation>Netz erneuern</translation>
+    </message>
+    <message>
+      <source>Result</source>
+      <translation>Ergebnis</translation>
+    </message>
+    <message>
+      <source>Scaled Jacobian, mean</source>
+      <translation>Skalierte Jacobi-Det., Mittel</translation>
+    </message>
+    <message>
+      <source>Scaled Jacobian, worst</source>
+      <translation>Skalierte Jacobi-Det., schlechteste</translation>
+    </message>
+    <message>
+      <source>Seconds</source>
+      <translation>Sekunden</translation>
+    </message>
+    <message>
+      <source>Show feature lines</source>
+      <translation>Merkmalslinien zeigen</translation>
+    </message>
+    <message>
+      <source>Show feature lines while the panel is open</source>
+      <translation>Merkmalslinien zeigen, solange das Fenster offen ist</translation>
+    </message>
+    <message>
+      <source>Show only elements of a scaled Jacobian below this; 1 shows all</source>
+      <translation>Nur Elemente mit kleinerer skalierter Jacobi-Determinante zeigen; 1 zeigt alle</translation>
+    </message>
+    <message>
+      <source>Show recognition model</source>
+      <translation>Erkennungsmodell zeigen</translation>
+    </message>
+    <message>
+      <source>Show the hex mesh toolbar and menu in the FEM workbench too</source>
+      <translation>Werkzeugleiste und Menü Hexaedernetz auch im Arbeitsbereich FEM zeigen</translation>
+    </message>
+    <message>
+      <source>Smoothing rounds of the paper's labels</source>
+      <translation>Glättungsrunden der Richtungen nach der Veröffentlichung</translation>
+    </message>
+    <message>
+      <source>Smoothing speed of the paper's labels</source>
+      <translation>Glättungsrate der Richtungen nach der Veröffentlichung</translation>
+    </message>
+    <message>
+      <source>Solid</source>
+      <translation>Körper</translation>
+    </message>
+    <message>
+      <source>Start</source>
+      <translation>Start</translation>
+    </message>
+    <message>
+      <source>The mesh has lost its part: link one in its property Shape.</source>
+      <translation>Das Netz hat sein Teil verloren: bitte in der Eigenschaft Shape eines verknüpfen.</translation>
+    </message>
+    <message>
+      <source>The ten worst</source>
+      <translation>Die zehn schlechtesten</translation>
+    </message>
+    <message>
+      <source>Threads</source>
+      <translation>Threads</translation>
+    </message>
+    <message>
+      <source>Time</source>
+      <translation>Zeit</translation>
+    </message>
+    <message>
+      <source>Time limit (s), 0: none</source>
+      <translation>Zeitgrenze (s), 0: keine</translation>
+    </message>
+    <message>
+      <source>Try: %s</source>
+      <translation>Versuchen: %s</translation>
+    </message>
+    <message>
+      <source>Volume off by</source>
+      <translation>Volumenfehler</translation>
+    </message>
+    <message>
+      <source>Why not</source>
+      <translation>Warum nicht</translation>
+    </message>
+    <message>
+      <source>Window</source>
+      <translation>Fenster</translation>
+    </message>
+    <message>
+      <source>Worst SJ</source>
+      <translation>Schlechteste SJ</translation>
+    </message>
+    <message>
+      <source>Write a hex mesh with its CAD groups to a file: .inp .unv .med .msh .vtk .vtu</source>
+      <translation>Ein Hexaedernetz mit seinen CAD-Gruppen in eine Datei schreiben: .inp .unv .med .msh .vtk .vtu</translation>
+    </message>
+    <message>
+      <source>about %s elements</source>
+      <translation>etwa %s Elemente</translation>
+    </message>
+    <message>
+      <source>across X</source>
+      <translation>quer zu X</translation>
+    </message>
+    <message>
+      <source>across Y</source>
+      <translation>quer zu Y</translation>
+    </message>
+    <message>
+      <source>across Z</source>
+      <translation>quer zu Z</translation>
+    </message>
+    <message>
+      <source>all CAD edges</source>
+      <translation>alle CAD-Kanten</translation>
+    </message>
+    <message>
+      <source>all solids</source>
+      <translation>alle Körper</translation>
+    </message>
+    <message>
+      <source>at most so many rounds of the paper's step 3-7b</source>
+      <translation>höchstens so viele Runden von Schritt 3-7b der Veröffentlichung</translation>
+    </message>
+    <message>
+      <source>automatic</source>
+      <translation>automatisch</translation>
+    </message>
+    <message>
+      <source>cancelled; the document is as it was</source>
+      <translation>abgebrochen; das Dokument ist, wie es war</translation>
+    </message>
+    <message>
+      <source>cancelled; the old mesh stays</source>
+      <translation>abgebrochen; das alte Netz bleibt</translation>
+    </message>
+    <message>
+      <source>cancelling ...</source>
+      <translation>wird abgebrochen ...</translation>
+    </message>
+    <message>
+      <source>degrees; STL, OBJ and PLY surfaces are cut into faces at sharper creases</source>
+      <translation>Grad; STL-, OBJ- und PLY-Oberflächen werden an schärferen Knicken in Flächen zerlegt</translation>
+    </message>
+    <message>
+      <source>element size in the part's unit; 0 chooses one from the part's volume</source>
+      <translation>Elementgröße in der Einheit des Teils; 0 wählt eine nach dem Volumen</translation>
+    </message>
+    <message>
+      <source>feature lines</source>
+      <translation>Merkmalslinien</translation>
+    </message>
+    <message>
+      <source>finding directions</source>
+      <translation>Richtungen finden</translation>
+    </message>
+    <message>
+      <source>first: 8 nodes</source>
+      <translation>erste: 8 Knoten</translation>
+    </message>
+    <message>
+      <source>fitting to the part</source>
+      <translation>Anpassen an das Teil</translation>
+    </message>
+    <message>
+      <source>from tetrahedra, of low quality</source>
+      <translation>aus Tetraedern, von geringer Qualität</translation>
+    </message>
+    <message>
+      <source>give a size above 0</source>
+      <translation>bitte eine Größe über 0 angeben</translation>
+    </message>
+    <message>
+      <source>insert O-grid sheets where block borders lie on smooth surface</source>
+      <translation>O-Gitter-Schichten einfügen, wo Blockränder auf glatter Oberfläche liegen</translation>
+    </message>
+    <message>
+      <source>labeller: on CAD regions, or the paper's on triangles</source>
+      <translation>Richtungen: auf CAD-Gebieten oder, wie in der Veröffentlichung, auf Dreiecken</translation>
+    </message>
+    <message>
+      <source>labels</source>
+      <translation>Richtungen</translation>
+    </message>
+    <message>
+      <source>layers under smooth borders</source>
+      <translation>Schichten unter glatten Rändern</translation>
+    </message>
+    <message>
+      <source>least number of elements along every block edge</source>
+      <translation>kleinste Zahl von Elementen längs jeder Blockkante</translation>
+    </message>
+    <message>
+      <source>looking at the part ...</source>
+      <translation>das Teil wird betrachtet ...</translation>
+    </message>
+    <message>
+      <source>measuring</source>
+      <translation>Messen</translation>
+    </message>
+    <message>
+      <source>meshing method; auto tries them in order</source>
+      <translation>Verfahren; auto versucht sie der Reihe nach</translation>
+    </message>
+    <message>
+      <source>mid-side nodes</source>
+      <translation>Mittelknoten</translation>
+    </message>
+    <message>
+      <source>no cut</source>
+      <translation>kein Schnitt</translation>
+    </message>
+    <message>
+      <source>on CAD regions</source>
+      <translation>auf CAD-Gebieten</translation>
+    </message>
+    <message>
+      <source>one file a line: STEP, IGES, BREP or FreeCAD documents</source>
+      <translation>eine Datei je Zeile: STEP, IGES, BREP oder FreeCAD-Dokumente</translation>
+    </message>
+    <message>
+      <source>options</source>
+      <translation>Optionen</translation>
+    </message>
+    <message>
+      <source>other side</source>
+      <translation>andere Seite</translation>
+    </message>
+    <message>
+      <source>polycube</source>
+      <translation>Polycube</translation>
+    </message>
+    <message>
+      <source>proving every element</source>
+      <translation>jedes Element prüfen</translation>
+    </message>
+    <message>
+      <source>reading the part</source>
+      <translation>Teil lesen</translation>
+    </message>
+    <message>
+      <source>scaled Jacobian</source>
+      <translation>skalierte Jacobi-Det.</translation>
+    </message>
+    <message>
+      <source>second: 20 nodes, for stresses</source>
+      <translation>zweite: 20 Knoten, für Spannungen</translation>
+    </message>
+    <message>
+      <source>seconds for the whole run; 0 sets no limit</source>
+      <translation>Sekunden für den ganzen Lauf; 0 setzt keine Grenze</translation>
+    </message>
+    <message>
+      <source>sharp CAD edges</source>
+      <translation>scharfe CAD-Kanten</translation>
+    </message>
+    <message>
+      <source>smoothing</source>
+      <translation>Glätten</translation>
+    </message>
+    <message>
+      <source>speed of the paper's smoothing of degrees of adaptation, equation (1)</source>
+      <translation>Rate, mit der die Veröffentlichung die Anpassungsgrade glättet, Gleichung (1)</translation>
+    </message>
+    <message>
+      <source>starting</source>
+      <translation>Beginn</translation>
+    </message>
+    <message>
+      <source>surface triangles</source>
+      <translation>Oberflächendreiecke</translation>
+    </message>
+    <message>
+      <source>the paper's, on triangles</source>
+      <translation>wie veröffentlicht, auf Dreiecken</translation>
+    </message>
+    <message>
+      <source>unit cubes</source>
+      <translation>Einheitswürfel</translation>
+    </message>
+    <message>
+      <source>worker threads; the mesh does not depend on it</source>
+      <translation>Arbeits-Threads; das Netz hängt nicht davon ab</translation>
+    </message>
+    <message>
+      <source>writing the mesh into the document ...</source>
+      <translation>das Netz wird in das Dokument geschrieben ...</translation>
+    </message>
+    <message>
+      <source>written: %s</source>
+      <translation>geschrieben: %s</translation>
+    </message>
+  </context>
+</TS>
