@@ -178,6 +178,7 @@ def _make_mesh(choice, options, started, at):
             mesh.write_stage(stop_after, choice.output)
         elif choice.output:
             mesh.write(choice.output, choice.element_type)
+        at("written")
     except (Exception, KeyboardInterrupt) as error:
         progress.done()
         _report_failure(choice, _typed(error), started)
