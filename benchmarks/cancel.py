@@ -5,8 +5,8 @@
 Two measurements of every part (the project's own at about 100,000 hexahedra when none is given).
 1. In the package: the longest time between two looks at `cancelled`, for each step: the worst that a Cancel can take. In CPU time
    with one thread, which a busy machine does not change.
-2. On the command line: Ctrl-C at random moments of the run, from the part's reading to the mesh's writing; seconds until the process has ended,
-   and whether it left a file. Wall time: measure on an idle machine.
+2. On the command line: Ctrl-C at random moments of the run, from the part's reading to the mesh's writing; seconds until the process has
+   ended, and whether it left a file. Wall time: measure on an idle machine.
 Exit code 1 when a limit of 0.2 s is passed or a file is left.
 """
 import argparse
@@ -99,7 +99,8 @@ def main():
                 print(f"  Ctrl-C: {done[0]:.3f} s, exit {done[1]}, {done[2]}, left {done[3]}")
                 failed |= bool(done[3]) or done[1] not in (0, 130) or done[0] > LIMIT
         if ends:
-            print(f"  {len(ends)} times Ctrl-C: ended after {sorted(ends)[len(ends) // 2]:.3f} s (median), {max(ends):.3f} s (worst)", flush=True)
+            print(f"  {len(ends)} times Ctrl-C: ended after {sorted(ends)[len(ends) // 2]:.3f} s (median), {max(ends):.3f} s (worst)",
+                  flush=True)
     shutil.rmtree(arguments.out / "work", ignore_errors=True)
     return 1 if failed else 0
 
