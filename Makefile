@@ -1,12 +1,13 @@
 # The front door. Every target can be run on a fresh clone, and again: it installs and builds what it needs.
 PYTHON := /usr/bin/python3
 PRESET := $(if $(CI),ci,release)
+FUZZ_SECONDS ?= 60
 PYTEST := PYTHONPATH=python $(PYTHON) -m pytest -p no:cacheprovider
 FREECAD := QT_QPA_PLATFORM=offscreen PYTHONPATH=/usr/lib/freecad-python3/lib:/usr/lib/freecad/Mod:/usr/lib/freecad/Mod/Fem:/usr/lib/freecad/Ext:python $(PYTHON)
 
-cpp_files = $(shell git ls-files 'cpp/*.cpp' 'cpp/*.h' 'tests/cpp/*.cpp' 'tests/cpp/*.h')
+cpp_files = $(shell git ls-files 'cpp/*.cpp' 'cpp/*.h' 'tests/cpp/*.cpp' 'tests/cpp/*.h' 'tests/fuzz/*.cpp')
 
-.PHONY: help deps build demo gallery bench test test-cpp test-freecad test-python test-gui gui-pictures translations lint tidy format wheel bundled-wheel clean
+.PHONY: help deps build demo gallery bench test test-cpp test-freecad test-python test-gui gui-pictures translations lint tidy format wheel bundled-wheel clean fuzz
 .NOTPARALLEL:
 
 help:  ## this list
@@ -52,6 +53,12 @@ gallery: build  ## the documentation's pictures and docs/gallery.md
 bench: build  ## time and quality of the whole command on the project's own parts
 	$(PYTHON) benchmarks/own_parts.py out/parts
 
+fuzz:  ## libFuzzer on the readers and the options, FUZZ_SECONDS each (60); new finds go to build-fuzz/finds
+	@packaging/install_missing.sh packaging/fuzz-packages.txt
+	cmake --preset fuzz >/dev/null
+	cmake --build build-fuzz --target triangles_fuzz brep_fuzz step_fuzz options_fuzz
+	tests/fuzz/run.sh $(FUZZ_SECONDS)
+
 lint: deps  ## formatting and static checks
 	clang-format --dry-run --Werror $(cpp_files)
 	flake8 python tests docs examples benchmarks packaging
@@ -72,5 +79,5 @@ wheel: deps  ## a wheel in dist/, built in an environment of its own
 	build/wheel-env/bin/python -m build --wheel --outdir dist .
 
 clean:  ## forget everything built
-	rm -rf build build-debug build-sanitize dist
+	rm -rf build build-debug build-sanitize build-fuzz dist
 	rm -f python/hexfeature/_core*.so

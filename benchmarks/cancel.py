@@ -3,10 +3,10 @@
 """How soon a run stops: benchmarks/cancel.py OUT_DIR [--interrupts 20] [--seed 1] [PART:SIZE ...]
 
 Two measurements of every part (the project's own at about 100,000 hexahedra when none is given).
-1. In the package: the longest time between two looks at `cancelled`, for each step: the worst that a Cancel can take. In CPU time of the
-   meshing thread, which a busy machine does not change.
-2. On the command line: Ctrl-C at random moments of the run, from the part's reading to the mesh's writing; seconds until the process has ended,
-   and whether it left a file. Wall time: measure on an idle machine.
+1. In the package: the longest time between two looks at `cancelled`, for each step: the worst that a Cancel can take. In CPU time
+   with one thread, which a busy machine does not change.
+2. On the command line: Ctrl-C at random moments of the run, from the part's reading to the mesh's writing; seconds until the process has
+   ended, and whether it left a file. Wall time: measure on an idle machine.
 Exit code 1 when a limit of 0.2 s is passed or a file is left.
 """
 import argparse
@@ -31,10 +31,10 @@ def gaps(part, size):
     """Step -> longest CPU time between two polls; and the run's wall time and number of hexahedra."""
     import hexfeature
 
-    worst, state = {}, {"step": "read", "last": time.thread_time()}
+    worst, state = {}, {"step": "read", "last": time.process_time()}
 
     def poll():
-        now = time.thread_time()
+        now = time.process_time()
         step = state["step"]
         worst[step] = max(worst.get(step, 0), now - state["last"])
         state["last"] = now
@@ -46,7 +46,7 @@ def gaps(part, size):
 
     started = time.monotonic()
     try:
-        hexes = len(hexfeature.mesh(part, size, cancelled=poll, progress=progress).hexes)
+        hexes = len(hexfeature.mesh(part, size, threads=1, cancelled=poll, progress=progress).hexes)
     except hexfeature.MeshingError as error:
         print(f"  no mesh: {error}")
         hexes = 0
@@ -99,7 +99,8 @@ def main():
                 print(f"  Ctrl-C: {done[0]:.3f} s, exit {done[1]}, {done[2]}, left {done[3]}")
                 failed |= bool(done[3]) or done[1] not in (0, 130) or done[0] > LIMIT
         if ends:
-            print(f"  {len(ends)} times Ctrl-C: ended after {sorted(ends)[len(ends) // 2]:.3f} s (median), {max(ends):.3f} s (worst)", flush=True)
+            print(f"  {len(ends)} times Ctrl-C: ended after {sorted(ends)[len(ends) // 2]:.3f} s (median), {max(ends):.3f} s (worst)",
+                  flush=True)
     shutil.rmtree(arguments.out / "work", ignore_errors=True)
     return 1 if failed else 0
 

@@ -4,8 +4,8 @@
 
 Takes real part files (the project's own as STEP, IGES, BREP, STL, OBJ, PLY and FCStd; ../shared/parts when it is there), damages
 each copy by a few seeded mutations, runs build/hexfeature on it with a time limit, and checks of every run: it ends by
-itself and not by a signal, with an exit code that docs/command-line.md lists; soon after its limit at the latest; it leaves no file but those
-asked for; an error names its step. Files that break a rule are kept in OUT_DIR/findings. Exit code 1 when there is one.
+itself and not by a signal, with an exit code that docs/command-line.md lists; soon after its limit at the latest; it leaves no
+file but those asked for; an error names its step. Files that break a rule are kept in OUT_DIR/findings. Exit code 1 when there is one.
 `--direct` runs without the command line's guarding process (HEXFEATURE_GUARD=0), as a program that imports the package would.
 """
 import argparse
@@ -60,8 +60,8 @@ def sources(folder):
 
 
 # ---------------------------------------------------------------- damage
-NUMBERS = [b"0", b"-1", b"1", b"1e308", b"-1e-308", b"nan", b"inf", b"1e-9", b"99999999999", b"2147483647", b"-2147483648", b"0.5", b"3", b"1.E300",
-           b"$", b"*", b"''", b"()"]
+NUMBERS = [b"0", b"-1", b"1", b"1e308", b"-1e-308", b"nan", b"inf", b"1e-9", b"99999999999", b"2147483647", b"-2147483648", b"0.5", b"3",
+           b"1.E300", b"$", b"*", b"''", b"()"]
 
 
 def _spans(data, pattern):
@@ -195,7 +195,8 @@ def run(number, source, out, arguments):
     mutations = damaged_file(source, part, rng)
     ending = rng.choice([".vtk", ".vtk", ".inp", ".unv"])
     mesh, report = folder / "out" / f"m{ending}", folder / "out" / "m.json"
-    command = [str(arguments.command), "mesh", str(part), "-o", str(mesh), "--report", str(report), "--time-limit", str(arguments.limit)]
+    command = [str(arguments.command), "mesh", str(part), "-o", str(mesh), "--report", str(report),
+               "--time-limit", str(arguments.limit)]
     environment = dict(os.environ, **({"HEXFEATURE_GUARD": "0"} if arguments.direct else {}))
     started = time.monotonic()
     process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, errors="replace", cwd=folder / "out",
@@ -264,7 +265,8 @@ def main():
             log.flush()
             if verdict:
                 findings.append(facts)
-                print(f"{facts['number']:5d} {facts['source']:28s} {verdict}: {', '.join(facts['mutations'])}: {facts['error'][:140]}", flush=True)
+                print(f"{facts['number']:5d} {facts['source']:28s} {verdict}: {', '.join(facts['mutations'])}: {facts['error'][:140]}",
+                      flush=True)
     listing = ", ".join(f"{code}: {codes[code]}" for code in sorted(codes))
     print(f"{len(numbers)} damaged files of {len(files)} sources, seed {arguments.seed}: {len(findings)} findings; exit codes {listing}; "
           f"slowest {slowest:.1f} s with a limit of {arguments.limit:g} s")

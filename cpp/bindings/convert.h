@@ -28,6 +28,17 @@ struct Scalars<Vec3> {
   static constexpr int count = 3;
 };
 
+/// Messages and names may quote a damaged file, or a path, that is not UTF-8.
+inline pybind11::str text_of(const std::string& text) {
+  return pybind11::reinterpret_steal<pybind11::str>(
+      PyUnicode_DecodeUTF8(text.data(), static_cast<pybind11::ssize_t>(text.size()), "backslashreplace"));
+}
+inline pybind11::list text_list(const std::vector<std::string>& texts) {
+  pybind11::list list;
+  for (const std::string& text : texts) list.append(text_of(text));
+  return list;
+}
+
 /// Owner of a view's memory: keeps the whole result alive.
 template <class Owner>
 pybind11::capsule keep_alive(const std::shared_ptr<Owner>& owner) {

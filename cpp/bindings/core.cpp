@@ -5,6 +5,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <atomic>
 #include <new>
 #include <stdexcept>
 
@@ -31,11 +32,6 @@ const char* name_of(Failure kind) {
       return "cancelled";
   }
   return "no_mesh";
-}
-
-/// Messages may quote a damaged file or a path that is not UTF-8.
-py::str text_of(const std::string& message) {
-  return py::reinterpret_steal<py::str>(PyUnicode_DecodeUTF8(message.data(), static_cast<py::ssize_t>(message.size()), "backslashreplace"));
 }
 
 Options options_from(const py::dict& values) {
@@ -72,9 +68,9 @@ class PythonContext : public Context {
         f(text_of(line));
       };
     is_cancelled = [this, f = cancelled] {
-      const auto now = Clock::now();
-      if (now - last_ < std::chrono::milliseconds(20)) return false;
-      last_ = now;
+      const Clock::rep now = Clock::now().time_since_epoch().count();  // asked by any thread
+      if (Clock::duration(now - last_.load(std::memory_order_relaxed)) < std::chrono::milliseconds(20)) return false;
+      last_.store(now, std::memory_order_relaxed);
       py::gil_scoped_acquire gil;
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
       return !f.is_none() && py::cast<bool>(f());
@@ -82,7 +78,7 @@ class PythonContext : public Context {
   }
 
  private:
-  Clock::time_point last_{};
+  std::atomic<Clock::rep> last_{0};
 };
 
 template <class Mesh>
@@ -177,6 +173,12 @@ PYBIND11_MODULE(_core, m) {
       .def_property_readonly("points", [](const Pointer& r) { return view(r->mesh.points, r); })
       .def_property_readonly("hexes", [](const Pointer& r) { return view(r->mesh.hexes, r); })
       .def_property_readonly("hex_solid", [](const Pointer& r) { return view(r->mesh.hex_solid, r); })
+      .def_property_readonly("solid_groups",
+                             [](const Pointer& r) {
+                               py::dict groups;
+                               for (const NamedSolids& group : named_solids(r->solid_names)) groups[py::str(group.name)] = group.solids;
+                               return groups;
+                             })
       .def_property_readonly("quads", [](const Pointer& r) { return view(r->mesh.quads, r); })
       .def_property_readonly("quad_face", [](const Pointer& r) { return view(r->mesh.quad_face, r); })
       .def_property_readonly("quad_chart", [](const Pointer& r) { return view(r->mesh.quad_chart, r); })
@@ -191,7 +193,7 @@ PYBIND11_MODULE(_core, m) {
           [](const Result& r, const std::string& path, const std::string& element_type) {
             py::gil_scoped_release release;
             try {
-              write_mesh({r.mesh, r.hexes20, r.quads8}, path, {element_type});
+              write_mesh({r.mesh, r.hexes20, r.quads8, r.solid_names}, path, {element_type});
             } catch (const std::bad_alloc&) {
               throw MeshingError(Failure::Output, "write", "cannot write '" + path + "': out of memory", "use a larger size");
             }

@@ -25,8 +25,8 @@ py::dict report_of(const Result& r) {
     d["made_the_mesh"] = a.reason.empty();
     if (!a.reason.empty()) {
       d["step"] = a.step;
-      d["reason"] = a.reason;
-      d["hint"] = a.hint;
+      d["reason"] = text_of(a.reason);
+      d["hint"] = text_of(a.hint);
       d["cad_faces"] = a.cad_faces;
     }
     attempts.append(d);
@@ -41,10 +41,11 @@ py::dict report_of(const Result& r) {
   }
   report["step_seconds"] = times;
   report["seconds"] = total;
-  report["warnings"] = r.warnings;
+  report["warnings"] = text_list(r.warnings);
 
   py::dict part;
   part["solids"] = r.solids;
+  part["solid_names"] = text_list(r.solid_names);
   part["cad_faces"] = r.cad_faces;
   part["cad_edges"] = r.cad_edges;
   part["cad_vertices"] = r.cad_vertices;

@@ -22,7 +22,8 @@ class CadModel : public Projector {
   std::vector<CadEdge> edges;
   std::vector<CadVertex> vertices;
   int solid_count = 1;
-  std::vector<std::string> warnings;  ///< what healing changed, stray faces left out, ...
+  std::vector<std::string> solid_names;  ///< as in the file; empty where it gives none
+  std::vector<std::string> warnings;     ///< what healing changed, stray faces left out, ...
 
   const CadFace& face(int id) const { return faces[id - 1]; }
   const CadEdge& edge(int id) const { return edges[id - 1]; }
@@ -53,7 +54,8 @@ class CadModel : public Projector {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Read a part by its ending: .step .stp .iges .igs .brep .brp. Heals (ShapeFix) when the solid is bad.
+/// Read a part by its ending: .step .stp .iges .igs .brep .brp. STEP and IGES come in millimetres, whatever unit the file has, as in
+/// FreeCAD. Heals (ShapeFix) when the solid is bad, and removes tiny edges and faces when its surface cannot be triangulated as it is.
 /// Face numbers are those of the file's shape as FreeCAD numbers it: for one solid, that solid's faces in
 /// MapShapes order; for several, the compound's. Throws MeshingError(BadInput, "read") with a hint: missing file,
 /// a directory, empty, truncated, no solid, open shell.

@@ -3,15 +3,29 @@
 
 #include <IGESControl_Reader.hxx>
 #include <Interface_Check.hxx>
+#include <Interface_EntityIterator.hxx>
 #include <Interface_Graph.hxx>
 #include <Interface_InterfaceModel.hxx>
 #include <STEPControl_Reader.hxx>
+#include <StepBasic_Product.hxx>
+#include <StepBasic_ProductDefinition.hxx>
+#include <StepBasic_ProductDefinitionFormation.hxx>
 #include <StepGeom_Curve.hxx>
 #include <StepGeom_Pcurve.hxx>
+#include <StepRepr_CharacterizedDefinition.hxx>
 #include <StepRepr_DefinitionalRepresentation.hxx>
+#include <StepRepr_PropertyDefinition.hxx>
 #include <StepRepr_RepresentationItem.hxx>
+#include <StepRepr_RepresentationRelationship.hxx>
+#include <StepRepr_RepresentedDefinition.hxx>
+#include <StepShape_ShapeDefinitionRepresentation.hxx>
 #include <StepShape_ShapeRepresentation.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
 #include <algorithm>
 #include <cstdint>
 #include <fstream>
@@ -70,8 +84,67 @@ void check_entities(STEPControl_Reader& reader, const std::string& path) {
 }
 void check_entities(IGESControl_Reader&, const std::string&) {}
 
+/// The entities of one type that refer to `entity`.
+template <class Type>
+std::vector<Handle(Type)> referring(const Interface_Graph& graph, const Handle(Standard_Transient) & entity) {
+  std::vector<Handle(Type)> found;
+  for (Interface_EntityIterator i = graph.Sharings(entity); i.More(); i.Next())
+    if (const auto one = Handle(Type)::DownCast(i.Value()); !one.IsNull()) found.push_back(one);
+  return found;
+}
+
+std::string text_of(const Handle(TCollection_HAsciiString) & text) { return text.IsNull() ? "" : text->ToCString(); }
+
+/// The name that a STEP file gives to a solid: its own, else that of the product whose shape it is. Empty when there is none.
+std::string name_of(const Interface_Graph& graph, const Handle(Standard_Transient) & solid) {
+  const auto item = Handle(StepRepr_RepresentationItem)::DownCast(solid);
+  if (item.IsNull()) return {};
+  if (std::string own = text_of(item->Name()); !own.empty() && own != "NONE") return own;
+  std::vector<Handle(StepShape_ShapeRepresentation)> shapes = referring<StepShape_ShapeRepresentation>(graph, solid);
+  // A shape may stand for another one, which then has the product.
+  for (std::size_t i = 0; i < shapes.size() && i < 8; ++i)
+    for (const auto& relation : referring<StepRepr_RepresentationRelationship>(graph, shapes[i]))
+      for (const auto& other : {relation->Rep1(), relation->Rep2()}) {
+        const auto shape = Handle(StepShape_ShapeRepresentation)::DownCast(other);
+        if (!shape.IsNull() && std::find(shapes.begin(), shapes.end(), shape) == shapes.end()) shapes.push_back(shape);
+      }
+  for (const auto& shape : shapes)
+    for (const auto& definition : referring<StepShape_ShapeDefinitionRepresentation>(graph, shape)) {
+      const auto property = definition->Definition().PropertyDefinition();
+      const auto product = property.IsNull() ? Handle(StepBasic_ProductDefinition)() : property->Definition().ProductDefinition();
+      if (product.IsNull() || product->Formation().IsNull() || product->Formation()->OfProduct().IsNull()) continue;
+      if (std::string name = text_of(product->Formation()->OfProduct()->Name()); !name.empty()) return name;
+    }
+  return {};
+}
+
+void add_names(STEPControl_Reader& reader, ReadShape& read) {
+  const Handle(XSControl_TransferReader) transferred = reader.WS()->TransferReader();
+  Interface_Graph graph(reader.Model(), Standard_False);
+  TopTools_IndexedMapOfShape solids;
+  TopExp::MapShapes(read.shape, TopAbs_SOLID, solids);
+  if (solids.Extent() < 2) return;  // the part's name says nothing new
+  for (int i = 1; i <= solids.Extent(); ++i) {
+    const Handle(Standard_Transient) entity = transferred->EntityFromShapeResult(solids(i).Located(TopLoc_Location()), 1);
+    if (entity.IsNull()) continue;
+    if (const std::string name = name_of(graph, entity); !name.empty()) read.names.emplace_back(solids(i), name);
+  }
+}
+void add_names(IGESControl_Reader&, ReadShape&) {}
+
+void add_unit(STEPControl_Reader& reader, ReadShape& read) {
+  TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
+  reader.FileUnits(lengths, angles, solid_angles);
+  if (lengths.IsEmpty()) return;
+  TCollection_AsciiString unit = lengths.First();
+  unit.LowerCase();
+  if (!unit.IsEqual("millimetre") && !unit.IsEqual("mm") && !unit.IsEqual("millimeter"))
+    read.warnings.push_back("the file's unit is " + std::string(unit.ToCString()) + "; lengths, the element size too, are in millimetres");
+}
+void add_unit(IGESControl_Reader&, ReadShape&) {}
+
 template <class Reader>
-TopoDS_Shape transfer(Reader& reader, const std::string& path, const std::string& kind, Context& context) {
+ReadShape transfer(Reader& reader, const std::string& path, const std::string& kind, Context& context) {
   const std::lock_guard<std::mutex> lock(exchange_mutex());
   Handle(CancelIndicator) indicator = new CancelIndicator(context);
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
@@ -84,7 +157,12 @@ TopoDS_Shape transfer(Reader& reader, const std::string& path, const std::string
     reader.TransferOneRoot(i, scope.Next());
     context.check();
   }
-  return reader.OneShape();
+  ReadShape read;
+  read.shape = reader.OneShape();
+  if (read.shape.IsNull()) return read;
+  add_names(reader, read);
+  add_unit(reader, read);
+  return read;
 }
 
 /// OCCT may crash on a file that refers to entities which it does not have (one that lost its middle or end).
@@ -121,7 +199,7 @@ void check_references(const std::string& path) {
 
 }  // namespace
 
-TopoDS_Shape read_step(const std::string& path, Context& context) {
+ReadShape read_step(const std::string& path, Context& context) {
   std::ifstream in(path, std::ios::binary);
   std::string head(512, '\0');
   in.read(head.data(), static_cast<std::streamsize>(head.size()));
@@ -134,7 +212,7 @@ TopoDS_Shape read_step(const std::string& path, Context& context) {
   return transfer(reader, path, "STEP", context);
 }
 
-TopoDS_Shape read_iges(const std::string& path, Context& context) {
+ReadShape read_iges(const std::string& path, Context& context) {
   IGESControl_Reader reader;
   return transfer(reader, path, "IGES", context);
 }

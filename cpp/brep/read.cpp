@@ -3,15 +3,19 @@
 #include <BRepBuilderAPI_MakeSolid.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepCheck_Analyzer.hxx>
+#include <BRepGProp.hxx>
 #include <BRepLib.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <GProp_GProps.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
+#include <ShapeFix_FixSmallFace.hxx>
 #include <ShapeFix_Shape.hxx>
 #include <ShapeFix_Solid.hxx>
+#include <ShapeFix_Wireframe.hxx>
 #include <Standard_Version.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -145,10 +149,74 @@ TopoDS_Shape heal(const TopoDS_Shape& part, Context& context) {
   return fix.Shape();
 }
 
-std::unique_ptr<CadModel> make_model(const TopoDS_Shape& read, Context& context) {
+double size_of(const TopoDS_Shape& shape) {
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box, Standard_False);
+  return box.IsVoid() ? 0 : std::sqrt(box.SquareExtent());
+}
+
+/// Stronger than `heal`: edges and faces far below any element's size are removed and gaps of that size closed. Null when the outcome is
+/// no solid any more, or not the same one.
+TopoDS_Shape mend(const TopoDS_Shape& part, Context& context) {
+  const double tolerance = 1e-7 * size_of(part);
+  Handle(CancelIndicator) indicator = new CancelIndicator(context);
+  Handle(ShapeFix_Wireframe) wires = new ShapeFix_Wireframe(part);
+  wires->SetPrecision(tolerance);
+  wires->SetMaxTolerance(10 * tolerance);
+  wires->ModeDropSmallEdges() = Standard_True;
+  wires->FixSmallEdges();
+  wires->FixWireGaps();
+  context.check();
+  ShapeFix_FixSmallFace faces;
+  faces.Init(wires->Shape());
+  faces.SetPrecision(tolerance);
+  faces.SetMaxTolerance(10 * tolerance);
+  faces.Perform();
+  context.check();
+  BRepBuilderAPI_Sewing sewing(10 * tolerance);
+  sewing.Add(faces.FixShape());
+  sewing.Perform(indicator->Start());
+  context.check();
+  std::vector<std::string> ignored;
+  const TopoDS_Shape mended = heal(make_solid(sewing.SewedShape(), ignored), context);
+  if (mended.IsNull() || solids_of(mended).size() != solids_of(part).size()) return {};
+  GProp_GProps before, after;
+  BRepGProp::VolumeProperties(part, before);
+  BRepGProp::VolumeProperties(mended, after);
+  if (!(std::abs(std::abs(after.Mass()) - std::abs(before.Mass())) < 1e-3 * std::abs(before.Mass()))) return {};
+  return solids_of(mended).size() == 1 ? solids_of(mended).front() : mended;
+}
+
+std::unique_ptr<CadModel> tabulate(const TopoDS_Shape& part, Context& context) {
+  CadTables tables(part);
+  if (!(tables.diagonal > 0) || !std::isfinite(tables.diagonal)) bad_input("the part has no extent", "check its geometry");
+  BaseMesh base = make_base_mesh(tables, context);
+  return std::make_unique<CadModel>(std::make_unique<CadModel::Impl>(std::move(tables), std::move(base)));
+}
+
+/// The model of a part; of the mended part when its surface does not close as it is.
+std::unique_ptr<CadModel> tabulate_or_mend(const TopoDS_Shape& part, std::vector<std::string>& warnings, Context& context) {
+  try {
+    return tabulate(part, context);
+  } catch (const MeshingError& error) {
+    if (error.kind != Failure::BadInput) throw;
+    try {
+      const TopoDS_Shape mended = guarded("read", "the part cannot be mended", [&] { return mend(part, context); });
+      if (mended.IsNull()) throw error;
+      std::unique_ptr<CadModel> model = tabulate(mended, context);
+      warnings.push_back("tiny edges and faces were removed: face numbers are those of the mended solid");
+      return model;
+    } catch (const MeshingError& second) {
+      if (second.kind != Failure::BadInput) throw;
+    }
+    throw error;  // of the part as it is
+  }
+}
+
+std::unique_ptr<CadModel> make_model(const ReadShape& read, Context& context) {
   return guarded("read", "the part cannot be read", [&] {
-    std::vector<std::string> warnings;
-    TopoDS_Shape part = part_of(read, warnings);
+    std::vector<std::string> warnings = read.warnings;
+    TopoDS_Shape part = part_of(read.shape, warnings);
     require_sound(part, context);
     context.progress("read", 0.5);
     if (!BRepCheck_Analyzer(part, Standard_True).IsValid()) {
@@ -159,14 +227,15 @@ std::unique_ptr<CadModel> make_model(const TopoDS_Shape& read, Context& context)
       }
     }
     context.progress("read", 0.6);
-    CadTables tables(part);
-    if (!(tables.diagonal > 0) || !std::isfinite(tables.diagonal)) bad_input("the part has no extent", "check its geometry");
-    BaseMesh base = make_base_mesh(tables, context);
+    std::unique_ptr<CadModel> model = tabulate_or_mend(part, warnings, context);
     context.progress("read", 0.8);
-    auto model = std::make_unique<CadModel>(std::make_unique<CadModel::Impl>(std::move(tables), std::move(base)));
     model->warnings = std::move(warnings);
     model->impl().trims = make_trim_regions(model->impl().cad, model->impl().base);
     analyse(*model, context);
+    model->solid_names.assign(model->solid_count, "");
+    for (const auto& [solid, name] : read.names)
+      for (int s = 0; s < model->solid_count; ++s)
+        if (solid.IsSame(model->impl().cad.solids[s])) model->solid_names[s] = name;
     context.progress("read", 1);
     return model;
   });
@@ -181,9 +250,7 @@ CadTables::CadTables(const TopoDS_Shape& part) : shape(part), solids(solids_of(p
   for (int i = 1; i <= face_map.Extent(); ++i) faces.emplace_back(TopoDS::Face(face_map(i)));
   for (int i = 1; i <= edge_map.Extent(); ++i) edges.emplace_back(TopoDS::Edge(edge_map(i)));
   for (int i = 1; i <= vertex_map.Extent(); ++i) vertices.push_back(to_eigen(BRep_Tool::Pnt(TopoDS::Vertex(vertex_map(i)))));
-  Bnd_Box box;
-  BRepBndLib::Add(shape, box, Standard_False);
-  if (!box.IsVoid()) diagonal = std::sqrt(box.SquareExtent());
+  diagonal = size_of(shape);
 }
 
 std::unique_ptr<CadModel> read_cad(const std::string& path, Context& context) {
@@ -196,7 +263,7 @@ std::unique_ptr<CadModel> read_cad(const std::string& path, Context& context) {
     if (ending == ".iges" || ending == ".igs") return make_model(read_iges(path, context), context);
     if (ending == ".brep" || ending == ".brp") {
       std::ifstream in(path, std::ios::binary);
-      return make_model(parse_brep(std::string(std::istreambuf_iterator<char>(in), {})), context);
+      return make_model({parse_brep(std::string(std::istreambuf_iterator<char>(in), {})), {}, {}}, context);
     }
     bad_input("'" + ending + "' is no CAD file that can be read", "use .step, .iges or .brep");
   });
@@ -205,7 +272,7 @@ std::unique_ptr<CadModel> read_cad(const std::string& path, Context& context) {
 std::unique_ptr<CadModel> read_brep_string(const std::string& text, Context& context) {
   silence_occt();
   context.progress("read", 0);
-  return guarded("read", "the B-rep text cannot be read", [&] { return make_model(parse_brep(text), context); });
+  return guarded("read", "the B-rep text cannot be read", [&] { return make_model({parse_brep(text), {}, {}}, context); });
 }
 
 }  // namespace hexfeature

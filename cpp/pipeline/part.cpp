@@ -16,6 +16,7 @@ class CadPart : public Part {
   explicit CadPart(std::unique_ptr<CadModel> model) : model_(std::move(model)), centre_(0.5 * (model_->bbox_min() + model_->bbox_max())) {}
   Geometry geometry() const override { return model_->geometry(); }
   int solid_count() const override { return model_->solid_count; }
+  std::vector<std::string> solid_names() const override { return model_->solid_names; }
   double volume() const override { return model_->volume(); }
   double diagonal() const override { return model_->diagonal(); }
   std::vector<std::string> warnings() const override { return model_->warnings; }

@@ -17,6 +17,7 @@ class Part {
   virtual ~Part() = default;
   virtual Geometry geometry() const = 0;
   virtual int solid_count() const = 0;
+  virtual std::vector<std::string> solid_names() const { return {}; }  ///< one a solid, or none
   virtual double volume() const = 0;
   virtual double diagonal() const = 0;
   virtual std::vector<std::string> warnings() const = 0;

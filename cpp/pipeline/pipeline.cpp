@@ -59,8 +59,10 @@ void mesh_part(Part& part, Run& run) {
   result.cad_edges = static_cast<int>(geometry.edges->size());
   result.cad_vertices = static_cast<int>(geometry.vertices->size());
   result.solids = part.solid_count();
+  result.solid_names = part.solid_names();
   result.cad_volume = part.volume();
   result.warnings = part.warnings();
+  if (result.solids > 1) result.warnings.push_back("the solids are meshed one by one: where they touch, their meshes do not share nodes");
   run.complete();
 
   run.begin("frame");

@@ -64,6 +64,7 @@ struct Result {
   std::vector<int> faces_without_quads;       ///< CAD faces that no quad covers
   std::vector<int> sharp_edges_not_followed;  ///< sharp CAD edges that mesh edges do not follow in full
   int cad_faces = 0, cad_edges = 0, cad_vertices = 0, solids = 1;
+  std::vector<std::string> solid_names;  ///< one a solid, empty where the file gives none
   double cad_volume = 0;
   bool certified = false;
 };

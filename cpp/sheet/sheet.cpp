@@ -42,6 +42,7 @@ bool touching(const HexComplex& complex, const HexTopology& topology, const Shee
 // and the disc it stands on. Two sheets would leave through each other's smooth walls.
 SheetGroup join_groups(const HexComplex& complex, const SheetGroup& first, const std::vector<SheetGroup>& groups,
                        const SheetOptions& options, Context& context) {
+  context.check();
   const HexTopology topology = make_topology(complex);
   SheetGroup joined = first;
   ShrinkSet set = choose_shrink_set(complex, topology, joined, options, context);
@@ -68,6 +69,7 @@ SheetGroup join_groups(const HexComplex& complex, const SheetGroup& first, const
 std::string insert_sheet(HexComplex& complex, const FeatureShape& shape, const Geometry& geometry, const SheetGroup& group,
                          const SheetOptions& options, Context& context, std::vector<int>* covered) {
   constexpr int kCuts = 12;
+  context.check();
   const HexTopology topology = make_topology(complex);
   std::vector<std::array<int, 2>> together;
   LayerRefusal refusal;

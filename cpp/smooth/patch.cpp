@@ -143,6 +143,7 @@ std::vector<double> Patch::retract(const std::vector<double>& from, const std::v
 PatchObjective::PatchObjective(Patch& patch, const EnergyTerms& terms, double penalty) : patch_(patch), terms_(terms), penalty_(penalty) {
   std::vector<double> stiffness;
   patch.energy->stiffness(patch.x.data(), terms, stiffness);
+  patch.setting.context.check();
   patch.boundary->invert_stiffness(stiffness, penalty, inverse_);
 }
 

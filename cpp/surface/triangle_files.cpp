@@ -252,9 +252,12 @@ TriangleSoup read_ply(const std::string& text) {
 }  // namespace
 
 TriangleSoup read_triangle_file(const std::string& path) {
-  const std::string text = load(path);
   std::string ending = std::filesystem::path(path).extension().string();
   for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return parse_triangles(load(path), ending);
+}
+
+TriangleSoup parse_triangles(const std::string& text, const std::string& ending) {
   TriangleSoup soup;
   if (ending == ".stl")
     soup = read_stl(text);
@@ -264,7 +267,7 @@ TriangleSoup read_triangle_file(const std::string& path) {
     soup = read_ply(text);
   else
     bad_input("'" + ending + "' is no surface file that can be read", "use .stl, .obj or .ply");
-  if (soup.triangles.empty()) bad_input("'" + path + "' holds no triangles");
+  if (soup.triangles.empty()) bad_input("the file holds no triangles");
   const int n = static_cast<int>(soup.points.size());
   for (const auto& t : soup.triangles)
     for (const int v : t)

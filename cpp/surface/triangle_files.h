@@ -18,4 +18,7 @@ struct TriangleSoup {
 /// Throws MeshingError(BadInput, "read") on anything that is missing, truncated, not finite or out of range.
 TriangleSoup read_triangle_file(const std::string& path);
 
+/// The same from the file's content; `ending` is .stl, .obj or .ply.
+TriangleSoup parse_triangles(const std::string& text, const std::string& ending);
+
 }  // namespace hexfeature

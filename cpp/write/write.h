@@ -15,6 +15,7 @@ struct MeshView {
   const HexComplex& mesh;
   const std::vector<std::array<int, 20>>& hexes20;  ///< empty: first order
   const std::vector<std::array<int, 8>>& quads8;
+  std::vector<std::string> solid_names = {};  ///< one a solid, as the part's file has them, empty where it has none; or no list
 
   bool second_order() const { return !hexes20.empty(); }
 };
@@ -22,6 +23,14 @@ struct MeshView {
 struct WriteOptions {
   std::string element_type;  ///< .inp: C3D8 (default), C3D8R, C3D8I; second order: C3D20R (default), C3D20
 };
+
+/// Solids (1-based) of one name, as a group: letters, digits, '_', '-' alone, other characters as '_', at most 64; never a name
+/// that the writers give themselves (SolidN, FaceN, EdgeN, VertexN, Nall, Eall).
+struct NamedSolids {
+  std::string name;
+  std::vector<int> solids;
+};
+std::vector<NamedSolids> named_solids(const std::vector<std::string>& solid_names);
 
 /// Write by the path's ending: .vtk .inp .unv. Every writer below gathers the file under a temporary name in the same
 /// folder and renames it when it is complete: there is never a half-written file, and a file that was there before stays
@@ -34,12 +43,12 @@ void write_mesh(const MeshView& view, const std::string& path, const WriteOption
 /// Point arrays (int): `cad_dim` and `cad_entity`, where the node lies (CadPlace), when the complex knows it.
 void write_vtk(const MeshView& view, const std::string& path);
 
-/// Abaqus / CalculiX input: nodes, elements (set SolidN), node sets FaceN, EdgeN, VertexN and element surfaces FaceN by
-/// CAD number. Numbers keep to 20 characters, which is all that CalculiX reads of one: 13 significant digits at least.
+/// Abaqus / CalculiX input: nodes, elements (set SolidN, and a set by the solid's name), node sets FaceN, EdgeN, VertexN and element
+/// surfaces FaceN by CAD number. Numbers keep to 20 characters, which is all that CalculiX reads of one: 13 significant digits at least.
 void write_inp(const MeshView& view, const std::string& path, const WriteOptions& options = {});
 
 /// I-DEAS universal file: datasets 164 (unit), 2411 (nodes), 2412 (bricks 115/116, quads 94/95), 2467 (groups: FaceN of
-/// quads, SolidN of bricks, EdgeN and VertexN of nodes).
+/// quads, SolidN of bricks and again by the solid's name, EdgeN and VertexN of nodes).
 void write_unv(const MeshView& view, const std::string& path);
 
 /// Endings that `write_mesh` knows, with the dot.

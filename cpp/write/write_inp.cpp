@@ -82,6 +82,10 @@ void write_inp(const MeshView& view, const std::string& path, const WriteOptions
   else
     write_elements(out, mesh.hexes, groups.solid_hexes, type);
 
+  for (const NamedSolids& named : named_solids(view.solid_names)) {
+    out << "*ELSET, ELSET=" << named.name << "\n";
+    for (int s : named.solids) out << "Solid" << s << "\n";
+  }
   write_node_sets(out, "Face", groups.face_nodes);
   write_node_sets(out, "Edge", groups.edge_nodes);
   write_node_sets(out, "Vertex", groups.vertex_nodes);

@@ -1,5 +1,6 @@
 // HexFeatureWB - LGPL-2.1-or-later
 // Format: I-DEAS Test Universal File Format, datasets 164, 2411, 2412 and 2467.
+#include <algorithm>
 #include <string>
 
 #include "write/cad_groups.h"
@@ -38,13 +39,14 @@ class UnvFile {
     }
   }
   void groups(const char* kind, const std::vector<CadGroup>& groups, int entity_type, int offset) {
-    for (const CadGroup& group : groups) {
-      record({++group_count_, 0, 0, 0, 0, 0, 0, static_cast<int>(group.items.size())});
-      out_ << kind << group.number << "\n";
-      for (std::size_t i = 0; i < group.items.size(); ++i) {
-        for (int v : {entity_type, group.items[i] + offset, 0, 0}) out_.padded(v, 10);
-        if (i % 2 == 1 || i + 1 == group.items.size()) out_ << "\n";
-      }
+    for (const CadGroup& g : groups) group(kind + std::to_string(g.number), g.items, entity_type, offset);
+  }
+  void group(const std::string& name, const std::vector<int>& items, int entity_type, int offset) {
+    record({++group_count_, 0, 0, 0, 0, 0, 0, static_cast<int>(items.size())});
+    out_ << name << "\n";
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      for (int v : {entity_type, items[i] + offset, 0, 0}) out_.padded(v, 10);
+      if (i % 2 == 1 || i + 1 == items.size()) out_ << "\n";
     }
   }
   OutputFile& out() { return out_; }
@@ -94,6 +96,13 @@ void write_unv(const MeshView& view, const std::string& path) {
 
   file.open(2467);
   file.groups("Solid", groups.solid_hexes, kElements, 1);
+  for (const NamedSolids& named : named_solids(view.solid_names)) {
+    std::vector<int> items;
+    for (const CadGroup& solid : groups.solid_hexes)
+      if (std::find(named.solids.begin(), named.solids.end(), solid.number) != named.solids.end())
+        items.insert(items.end(), solid.items.begin(), solid.items.end());
+    if (!items.empty()) file.group(named.name, items, kElements, 1);
+  }
   file.groups("Face", groups.face_quads, kElements, hexes + 1);
   file.groups("Edge", groups.edge_nodes, kNodes, 1);
   file.groups("Vertex", groups.vertex_nodes, kNodes, 1);

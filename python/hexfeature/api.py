@@ -43,6 +43,7 @@ class Mesh:
     hexes = property(lambda self: self._result.hexes, doc="(m, 8) int: corners in VTK order")
     hexes20 = property(lambda self: self._result.hexes20, doc="(m, 20) int: with order=2, VTK order; else (0, 20)")
     hex_solid = property(lambda self: self._result.hex_solid, doc="(m,) int: CAD solid, from 1")
+    solid_groups = property(lambda self: self._result.solid_groups, doc="dict: a name that the part's file gives -> its CAD solids, from 1")
     quads = property(lambda self: self._result.quads, doc="(q, 4) int: the boundary, counter-clockwise from outside")
     quads8 = property(lambda self: self._result.quads8, doc="(q, 8) int: with order=2, VTK order; else (0, 8)")
     quad_face = property(lambda self: self._result.quad_face, doc="(q,) int: CAD face, from 1")

@@ -51,7 +51,8 @@ def _typed(error):
         return make_error("cancelled", "run", "cancelled")
     if isinstance(error, MemoryError):
         return make_error("no_mesh", "run", "out of memory", "use a larger size")
-    return make_error("no_mesh", "run", f"{INTERNAL}: {type(error).__name__}: {error}", "run again with --verbose and report what it prints")
+    return make_error("no_mesh", "run", f"{INTERNAL}: {type(error).__name__}: {error}",
+                      "run again with --verbose and report what it prints")
 
 
 def _guarded(choice, work, stopped=lambda error: None, time_limit=0, outputs=()):
@@ -178,6 +179,7 @@ def _make_mesh(choice, options, started, at):
             mesh.write_stage(stop_after, choice.output)
         elif choice.output:
             mesh.write(choice.output, choice.element_type)
+        at("written")
     except (Exception, KeyboardInterrupt) as error:
         progress.done()
         _report_failure(choice, _typed(error), started)

@@ -6,7 +6,7 @@ import zlib
 from typing import NamedTuple
 from xml.etree import ElementTree
 
-from hexfeature.errors import make_error, system_error
+from hexfeature.errors import MeshingError, make_error, system_error
 
 
 class ShapeObject(NamedTuple):
@@ -28,6 +28,8 @@ def read_brep(path, object_name=None):
     try:
         with zipfile.ZipFile(path) as archive:
             return _read(archive, path, object_name)
+    except MeshingError:
+        raise
     except (zipfile.BadZipFile, zlib.error, lzma.LZMAError, ElementTree.ParseError, LookupError, ValueError, EOFError, NotImplementedError,
             RuntimeError, AttributeError) as error:  # RuntimeError: encrypted; the others: damaged in one way or another
         raise make_error("bad_input", "read", f"'{path}' is not a readable FreeCAD document ({error})",

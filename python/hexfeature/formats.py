@@ -3,7 +3,7 @@
 import os
 
 from hexfeature import _core
-from hexfeature.errors import make_error, system_error
+from hexfeature.errors import MeshingError, make_error, system_error
 
 _MESHIO = {".vtu": "vtu", ".msh": "gmsh22"}
 
@@ -59,6 +59,8 @@ def replace_file(path, write_to):
     try:
         write_to(temporary)
         os.replace(temporary, target)
+    except MeshingError:
+        raise
     except (OSError, RuntimeError) as error:  # h5py has a RuntimeError where HDF5 cannot flush
         raise system_error("output", "write", f"cannot write '{path}'", error, "check the folder and the free space") from None
     finally:

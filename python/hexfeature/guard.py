@@ -17,6 +17,8 @@ import time
 from hexfeature.errors import EXIT_CODES, make_error
 
 _STOP = {signal.SIGINT, signal.SIGTERM} | ({signal.SIGHUP} if hasattr(signal, "SIGHUP") else set())
+WRITTEN = "written"  #: the step after the mesh file has its name
+_GRACE = 0.15  #: seconds for what comes after that
 _PARENT_DEATH = 1  #: Linux's PR_SET_PDEATHSIG
 
 
@@ -105,6 +107,7 @@ def _wait(worker, board, time_limit, outputs):
     while True:
         ended, status = os.waitpid(worker, os.WNOHANG)
         if ended:
+            why = None
             break
         left = 3600 if deadline is None else deadline - time.monotonic()
         got = signal.sigtimedwait(_STOP | {signal.SIGCHLD}, max(left, 0))
@@ -113,6 +116,8 @@ def _wait(worker, board, time_limit, outputs):
         elif got is not None and got.si_signo in _STOP:
             why = ("cancelled", "")
         if why:
+            if board.step() == WRITTEN and _ends_within(worker, _GRACE):
+                continue  # the mesh is there: let the run be what it was
             os.kill(worker, signal.SIGKILL)
             os.waitpid(worker, 0)
             break
@@ -132,6 +137,16 @@ def _wait(worker, board, time_limit, outputs):
         raise make_error("bad_input", "read", f"the file is damaged: its reader crashed ({name})",
                          "export the part again, or repair it with the program that made it")
     raise make_error("no_mesh", step, f"internal error: the step crashed ({name})", "try another size, and report it with the part")
+
+
+def _ends_within(worker, seconds):
+    """Whether the worker has ended by itself by then; it is not yet waited for."""
+    until = time.monotonic() + seconds
+    while time.monotonic() < until:
+        if os.waitid(os.P_PID, worker, os.WEXITED | os.WNOHANG | os.WNOWAIT):
+            return True
+        time.sleep(0.002)
+    return False
 
 
 def _remove_temporaries(worker, outputs):

@@ -15,7 +15,7 @@ TYPES = {8: ("HE8", 308), 20: ("H20", 320)}, {4: ("QU4", 204), 8: ("QU8", 208)}
 
 def write(mesh, path, name):
     """`mesh` is an api.Mesh; `name` is the mesh's in the file: FreeCAD looks for one named as the file is.
-    Groups: SolidN of hexahedra, FaceN of quads, EdgeN and VertexN of nodes."""
+    Groups: SolidN of hexahedra and again by the solid's name, FaceN of quads, EdgeN and VertexN of nodes."""
     name = name[:64]  # MED allows no more
     second = mesh.order == 2
     hexes = np.asarray(mesh.hexes20 if second else mesh.hexes)
@@ -25,7 +25,8 @@ def write(mesh, path, name):
     face, solid = np.asarray(mesh.quad_face), np.asarray(mesh.hex_solid)
     last_face = int(face.max(initial=0))
     element_groups = {-int(f): [f"Face{f}"] for f in np.unique(face) if f > 0}
-    element_groups.update({-(last_face + int(s)): [f"Solid{s}"] for s in np.unique(solid)})
+    named = mesh.solid_groups
+    element_groups.update({-(last_face + int(s)): [f"Solid{s}"] + [name for name in named if s in named[name]] for s in np.unique(solid)})
 
     with h5py.File(path, "w") as file:
         _attributes(file.create_group("INFOS_GENERALES"), MAJ=4, MIN=1, REL=0)

@@ -1,12 +1,14 @@
 #!/usr/bin/python3
 # HexFeatureWB - LGPL-2.1-or-later
-"""Parts as users send them: far away, tiny, huge, in other units, inside out, hollow, with stray faces, slivers, tiny edges, several solids.
+"""Parts as users send them: far away, tiny, huge, in other units, inside out, hollow, with stray faces, slivers, tiny edges, several
+solids.
 
     /usr/bin/python3 tests/parts/make_odd_parts.py OUT_DIR [NAME ...]
 
 Leaves OUT_DIR/NAME.step or .brep. Most are one plate with a hole, 40 x 40 x 10, in another guise, so that its mesh must be the same.
 """
 import os
+import re
 import sys
 
 sys.path += ["/usr/lib/freecad-python3/lib", "/usr/lib/freecad/lib", "/usr/lib/freecad/Mod"]
@@ -101,8 +103,11 @@ def torn():
 
 #: name -> (function, ending)
 SHAPES = {
-    "plate": (plate, "step"), "far": (far, "step"), "tiny": (lambda: scaled(2.5e-5), "step"), "huge": (lambda: scaled(2500), "step"),
-    "hollow": (hollow, "step"), "stray": (stray, "step"), "inside_out": (inside_out, "brep"), "shell_inside_out": (shell_inside_out, "brep"),
+    "plate": (plate, "step"), "far": (far, "step"),
+    "tiny": (lambda: scaled(2.5e-5), "step"),
+    "huge": (lambda: scaled(2500), "step"),
+    "hollow": (hollow, "step"), "stray": (stray, "step"), "inside_out": (inside_out, "brep"),
+    "shell_inside_out": (shell_inside_out, "brep"),
     "one_face_turned": (one_face_turned, "brep"), "tiny_edge": (tiny_edge, "step"), "sliver": (sliver, "step"),
     "touching": (touching, "step"), "loose_faces": (loose_faces, "brep"), "torn": (torn, "brep"),
 }
@@ -125,10 +130,11 @@ def in_unit(text, unit):
     assert MM in text, "the STEP writer has changed"
     if unit == "metre":
         return text.replace(MM, "( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT($,.METRE.) )")
-    last = max(int(line[1:line.index("=")]) for line in text.splitlines() if line.startswith("#") and "=" in line and line[1:line.index("=")].strip().isdigit())
+    last = max(int(number) for number in re.findall(r"^#(\d+)\s*=", text, re.MULTILINE))
     a, b, c = last + 1, last + 2, last + 3
     inch = (f"( CONVERSION_BASED_UNIT('INCH',#{a}) LENGTH_UNIT() NAMED_UNIT(#{c}) )")
-    extra = (f"#{a} = LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#{b});\n#{b} = {MM};\n#{c} = DIMENSIONAL_EXPONENTS(1.,0.,0.,0.,0.,0.,0.);\n")
+    extra = (f"#{a} = LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#{b});\n#{b} = {MM};\n"
+             f"#{c} = DIMENSIONAL_EXPONENTS(1.,0.,0.,0.,0.,0.,0.);\n")
     head, tail = text.replace(MM, inch).rsplit("ENDSEC;", 1)
     return head + extra + "ENDSEC;" + tail
 

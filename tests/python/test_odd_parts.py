@@ -69,3 +69,12 @@ def test_a_mesh_or_a_reason(odd, name, size):
         assert error.kind in ("bad_input", "no_mesh") and error.reason and error.hint
     else:
         assert mesh.certified and mesh.report["quality"]["volume_error"] < 0.03
+
+
+def test_solids_keep_their_names(odd, tmp_path):
+    mesh = hexfeature.mesh(odd / "named_solids.step", size=5)
+    assert mesh.report["part"]["solid_names"] == ["left plate", "right block"]
+    assert mesh.solid_groups == {"left_plate": [1], "right_block": [2]}
+    assert any("do not share nodes" in warning for warning in mesh.report["warnings"])
+    mesh.write(tmp_path / "m.inp")
+    assert "*ELSET, ELSET=right_block\nSolid2\n" in (tmp_path / "m.inp").read_text()
