@@ -195,6 +195,7 @@ HexComplex feature_line(const SurfaceMesh& surface, const Geometry& geometry, in
   run.complete();
   run.reached("shape");
   require_valid(result.labels);
+  if (!run.is_new(result.labels.surface)) throw MeshingError(Failure::NoMesh, "labels", "an earlier proposal has these very labels");
   const SurfaceMesh& mesh = result.labels.surface.mesh;
   const FeatureShape& shape = result.labels.shape;
 
