@@ -8,7 +8,7 @@ namespace hexfeature {
 struct SkinReport {
   double mean_lean = 0, max_lean = 0;            ///< degrees between a boundary quad's normal and the inner edges at its corners; 0 is best
   double min_thickness = 0, mean_thickness = 0;  ///< length: from a boundary quad's middle to the opposite face's, along the quad's normal
-  double max_warp = 0;                           ///< degrees: the largest angle between the normals at the corners of a boundary quad and its own
+  double max_warp = 0;                           ///< degrees: largest angle between the normals at a quad's corners and its own
   double warped = 0;                             ///< fraction of the boundary quads with more than 15 degrees of it
 };
 /// Edges that lie on the boundary themselves do not count as inner ones: at a sharp edge of the part they say nothing of the mesh.
