@@ -67,6 +67,14 @@ py::dict report_of(const Result& r) {
   quality["volume_error"] = r.cad_volume > 0 ? std::abs(q.volume - r.cad_volume) / r.cad_volume : 0.0;
   quality["min_edge"] = q.min_edge;
   quality["max_edge"] = q.max_edge;
+  py::dict skin;
+  skin["mean_lean_degrees"] = q.skin.mean_lean;
+  skin["max_lean_degrees"] = q.skin.max_lean;
+  skin["min_thickness"] = q.skin.min_thickness;
+  skin["mean_thickness"] = q.skin.mean_thickness;
+  skin["max_warp_degrees"] = q.skin.max_warp;
+  skin["warped_quads"] = q.skin.warped;
+  quality["skin"] = skin;
   report["quality"] = quality;
 
   py::dict cad;

@@ -64,7 +64,8 @@ bool is_better(const SmoothReport& a, const SmoothReport& b) {
 }
 
 /// Smooth with the sheets that pay. All of them at first; as long as the worst element lies at sheets, again without one of these, the
-/// last inserted first, and the better mesh is kept. What is far from every sheet is not their doing: then nothing is tried.
+/// last inserted first, and the better mesh is kept. What is far from every sheet is not their doing: then nothing is tried. Where
+/// elements stay inverted, once without all the sheets there: such a mesh is seldom saved, and each trial of it is dear.
 HexComplex smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shape, const Geometry& geometry, Run& run) {
   constexpr int kTrials = 6;
   SmoothOptions smoothing;
@@ -81,8 +82,10 @@ HexComplex smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shap
     SheetOptions tried = sheets;
     if (trial > 0) {
       if (suspects.empty()) break;
-      tried.without.push_back(suspects.back());
-      suspects.pop_back();
+      const bool all = result.smoothing.inverted > 0;
+      const auto first = all ? suspects.begin() : suspects.end() - 1;
+      tried.without.insert(tried.without.end(), first, suspects.end());
+      suspects.erase(first, suspects.end());
     }
     run.begin("sheets");
     HexComplex complex = fitted;
@@ -195,6 +198,7 @@ HexComplex feature_line(const SurfaceMesh& surface, const Geometry& geometry, in
   run.complete();
   run.reached("shape");
   require_valid(result.labels);
+  if (!run.is_new(result.labels.surface)) throw MeshingError(Failure::NoMesh, "labels", "an earlier proposal has these very labels");
   const SurfaceMesh& mesh = result.labels.surface.mesh;
   const FeatureShape& shape = result.labels.shape;
 

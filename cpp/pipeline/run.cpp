@@ -2,6 +2,7 @@
 #include "pipeline/run.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace hexfeature {
 
@@ -12,6 +13,22 @@ double certificate_tolerance(const SurfaceMesh& surface) {
     hi = hi.cwiseMax(p);
   }
   return std::max(1e-8, 1e-9 * (hi - lo).norm());
+}
+
+bool Run::is_new(const LabelledSurface& labels) {
+  std::uint64_t hash = 1469598103934665603u;  // FNV-1a, a word at a time
+  const auto take = [&](std::uint64_t word) { hash = (hash ^ word) * 1099511628211u; };
+  for (const Label l : labels.label) take(static_cast<std::uint64_t>(l));
+  for (const auto& t : labels.mesh.triangles)
+    for (int v : t) take(static_cast<std::uint64_t>(v));
+  for (const Vec3& p : labels.mesh.points)
+    for (int a = 0; a < 3; ++a) {
+      std::uint64_t word;
+      const double x = p[a];
+      std::memcpy(&word, &x, sizeof word);
+      take(word ^ word >> 32);
+    }
+  return seen_.insert(hash).second;
 }
 
 void Run::begin(const std::string& step) {

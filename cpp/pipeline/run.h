@@ -1,5 +1,7 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #pragma once
+#include <cstdint>
+#include <set>
 #include <string>
 
 #include "base/context.h"
@@ -24,6 +26,9 @@ class Run {
   Context& context;
   Result& result;
 
+  /// False when these very labels on this very surface were noted before: what follows would be done twice.
+  bool is_new(const LabelledSurface& labels);
+
   /// Begin a step: time is booked to it until the next begin(). Also a cancellation point.
   void begin(const std::string& step);
   /// The current step is complete: stop here when the options say so.
@@ -34,6 +39,7 @@ class Run {
   void finish();
 
  private:
+  std::set<std::uint64_t> seen_;  ///< hashes of labelled surfaces
   std::string step_;
   Context::Clock::time_point since_{};
 };

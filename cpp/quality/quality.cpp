@@ -142,6 +142,9 @@ QualityReport measure_quality(const HexComplex& complex, const Projector& projec
                     [&](int a, int b) { return value[a] != value[b] ? value[a] < value[b] : a < b; });
   report.worst_hexes.assign(order.begin(), order.begin() + count);
 
+  context.check();
+  report.skin = measure_skin(complex);
+
   if (complex.place.size() == complex.points.size())
     for (int v = 0; v < report.points; ++v) {
       if (v % 256 == 0) context.check();

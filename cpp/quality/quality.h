@@ -8,6 +8,7 @@
 #include "mesh/hex_complex.h"
 #include "mesh/hex_element.h"
 #include "mesh/projector.h"
+#include "quality/skin.h"
 
 namespace hexfeature {
 
@@ -19,6 +20,7 @@ struct QualityReport {
   double min_edge = 0, max_edge = 0;
   double deviation = 0;          ///< largest distance of a boundary node from its CAD entity
   std::vector<int> worst_hexes;  ///< the ten worst
+  SkinReport skin;
 };
 /// Throws MeshingError(NoMesh, "quality") when the complex refers to points that it does not have.
 QualityReport measure_quality(const HexComplex& complex, const Projector& projector, Context& context);

@@ -33,10 +33,8 @@ class Inserter {
     collect_sheet();
     if (sheet_.empty()) return {"the sheet would be empty", {}};
     collect_copies();
-    for (const Copy& c : copies_) {
-      add_node(c);
-      if (refusal_.refused()) return refusal_;
-    }
+    for (const Copy& c : copies_) add_node(c);
+    if (refusal_.refused()) return refusal_;
     add_layer();
     move_quads();
     move_feature_edges();
@@ -379,11 +377,14 @@ class Inserter {
         const int old_node = node < old_.point_count() ? node : copies_[node - old_.point_count()].node;
         for (std::size_t e = 0; e < old_.feature_edges.size(); ++e) {
           const auto& nodes = old_.feature_edges[e];
-          if (old_.feature_edge_cad[e] == cad && (nodes[0] == old_node || nodes[1] == old_node)) refusal_.bent_edges.push_back(nodes);
+          const auto* edge = topology_.find_edge(nodes[0], nodes[1]);
+          if (!edge || old_.feature_edge_cad[e] != cad || (nodes[0] != old_node && nodes[1] != old_node)) continue;
+          const auto begin = topology_.edge_hexes.begin() + edge->first;
+          refusal_.together.emplace_back(begin, begin + edge->count);
         }
       }
-    std::sort(refusal_.bent_edges.begin(), refusal_.bent_edges.end());
-    refusal_.bent_edges.erase(std::unique(refusal_.bent_edges.begin(), refusal_.bent_edges.end()), refusal_.bent_edges.end());
+    std::sort(refusal_.together.begin(), refusal_.together.end());
+    refusal_.together.erase(std::unique(refusal_.together.begin(), refusal_.together.end()), refusal_.together.end());
   }
 
   // All hexahedra round a boundary edge shrink: no sheet face there.

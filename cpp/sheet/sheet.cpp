@@ -71,7 +71,7 @@ std::string insert_sheet(HexComplex& complex, const FeatureShape& shape, const G
   constexpr int kCuts = 12;
   context.check();
   const HexTopology topology = make_topology(complex);
-  std::vector<std::array<int, 2>> together;
+  std::vector<std::vector<int>> together;
   LayerRefusal refusal;
   for (int cut = 0; cut < kCuts; ++cut) {
     const ShrinkSet set = choose_shrink_set(complex, topology, group, options, context, together);
@@ -85,10 +85,10 @@ std::string insert_sheet(HexComplex& complex, const FeatureShape& shape, const G
       if (covered->empty()) *covered = {group.floor_chart};
       return {};
     }
-    // Elsewhere, then: it may run past the edges where it turned off the curve, or across the curve there.
+    // Elsewhere, then: past the places where it went wrong.
     const std::size_t known = together.size();
-    for (const auto& e : refusal.bent_edges)
-      if (std::find(together.begin(), together.end(), e) == together.end()) together.push_back(e);
+    for (const auto& hexes : refusal.together)
+      if (std::find(together.begin(), together.end(), hexes) == together.end()) together.push_back(hexes);
     if (together.size() == known) break;
   }
   return refusal.reason;

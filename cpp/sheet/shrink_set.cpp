@@ -34,7 +34,7 @@ struct Terminals {
 class Chooser {
  public:
   Chooser(const HexComplex& complex, const HexTopology& topology, const SheetGroup& group, const SheetOptions& options,
-          const std::vector<std::array<int, 2>>& together)
+          const std::vector<std::vector<int>>& together)
       : complex_(complex),
         topology_(topology),
         group_(group),
@@ -131,13 +131,11 @@ class Chooser {
       }
     }
     for (const auto& e : topology_.edges) discourage_bad_exit(e, links);
-    for (const auto& nodes : together_)
-      if (const auto* e = topology_.find_edge(nodes[0], nodes[1]))
-        for (int i = 1; i < e->count; ++i) {
-          const int a = block_[topology_.edge_hexes[e->first]], b = block_[topology_.edge_hexes[e->first + i]];
-          links.push_back({a, b, infinite});
-          links.push_back({b, a, infinite});
-        }
+    for (const auto& hexes : together_)
+      for (int h : hexes) {
+        links.push_back({block_[hexes.front()], block_[h], infinite});
+        links.push_back({block_[h], block_[hexes.front()], infinite});
+      }
     for (int b = 0; b < block_count_; ++b) {
       if (t.source[b]) links.push_back({source, b, infinite});
       if (t.sink[b]) links.push_back({b, sink, infinite});
@@ -169,7 +167,7 @@ class Chooser {
   const HexTopology& topology_;
   const SheetGroup& group_;
   const SheetOptions& options_;
-  const std::vector<std::array<int, 2>>& together_;
+  const std::vector<std::vector<int>>& together_;
   int block_count_ = 0;
   std::vector<int> block_;     // per hexahedron
   std::vector<char> covered_;  // per chart
@@ -214,7 +212,7 @@ std::vector<char> largest_minimum_cut(int node_count, std::vector<CutArc> arcs, 
 }
 
 ShrinkSet choose_shrink_set(const HexComplex& complex, const HexTopology& topology, const SheetGroup& group, const SheetOptions& options,
-                            Context& context, const std::vector<std::array<int, 2>>& together) {
+                            Context& context, const std::vector<std::vector<int>>& together) {
   return Chooser(complex, topology, group, options, together).choose(context);
 }
 

@@ -22,9 +22,9 @@ struct ShrinkSet {
 /// a cup. A block wanted on both sides: the free charts concerned join the group, and again. Costs per lattice face: between blocks 100,
 /// covered 5, leaving through a free one 0; leaving at a concave edge so that too few hexahedra stay there, 3000 per edge. Of all minimum
 /// cuts the one with the largest set. Deterministic.
-/// `together`: boundary edges (smaller node first) whose hexahedra must all shrink or all stay.
+/// `together`: sets of hexahedra of which all must shrink or all stay.
 ShrinkSet choose_shrink_set(const HexComplex& complex, const HexTopology& topology, const SheetGroup& group, const SheetOptions& options,
-                            Context& context, const std::vector<std::array<int, 2>>& together = {});
+                            Context& context, const std::vector<std::vector<int>>& together = {});
 
 struct CutArc {
   int from, to;
@@ -36,8 +36,9 @@ std::vector<char> largest_minimum_cut(int node_count, std::vector<CutArc> arcs, 
 
 /// Why the local rules forbid a sheet.
 struct LayerRefusal {
-  std::string reason;                          ///< empty: they do not
-  std::vector<std::array<int, 2>> bent_edges;  ///< the sheet would leave along one of these edges of a CAD curve and turn off at the next
+  std::string reason;  ///< empty: they do not
+  /// Sets of hexahedra, each round the place where it goes wrong: with none of them cut apart it would not.
+  std::vector<std::vector<int>> together;
 
   bool refused() const { return !reason.empty(); }
 };

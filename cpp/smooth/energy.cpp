@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 #include "mesh/hex_complex.h"
@@ -11,79 +10,7 @@
 namespace hexfeature {
 namespace {
 
-using Lanes = Eigen::Array<double, 4, 1>;
-
-/// Three coordinates, each of four elements.
-struct Vector {
-  Lanes x, y, z;
-};
-inline Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline Lanes dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline Vector cross(const Vector& a, const Vector& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
-
-/// c^(-1/3) of positive numbers: a guess from the exponent bits, then Newton to the last digits; the same on every machine.
-inline Lanes inverse_cube_root(const Lanes& c) {
-  Lanes y;
-  for (int l = 0; l < 4; ++l) {
-    std::uint64_t bits;
-    const double value = c[l];
-    std::memcpy(&bits, &value, sizeof bits);
-    bits = 0x553EF0FF289DD796u - bits / 3;
-    double guess;
-    std::memcpy(&guess, &bits, sizeof guess);
-    y[l] = guess;
-  }
-  const Lanes third = c * (1.0 / 3.0);
-  for (int i = 0; i < 4; ++i) y = y * (4.0 / 3.0 - third * (y * y * y));
-  return y;
-}
-
-inline Lanes to_power(Lanes q, int p) {
-  for (; p > 1; p /= 2) q = q * q;
-  return q;
-}
-
-/// Three edges of the hexahedron that span a tetrahedron: from and to node of each.
-struct Frame {
-  int from[3], to[3];
-};
-constexpr int kCorners = 8, kAllFrames = 32;
-constexpr double kMixedWeight = 1.0 / 3.0;
 constexpr double kSpanWeight = 6;
-
-/// The 8 corners, then the 24 mixed frames (see the header).
-struct FrameTable {
-  Frame frame[kAllFrames];
-  FrameTable() {
-    for (int k = 0; k < kCorners; ++k)
-      for (int i = 0; i < 3; ++i) frame[k].from[i] = kHexCorners[k][0], frame[k].to[i] = kHexCorners[k][i + 1];
-    constexpr int node[2][2][2] = {{{0, 4}, {3, 7}}, {{1, 5}, {2, 6}}};  // of the cube's corner (r, s, t)
-    int count = kCorners;
-    for (int axis = 0; axis < 3; ++axis)
-      for (int side = 0; side < 4; ++side)
-        for (int end = 0; end < 2; ++end) {
-          const int others[2] = {(axis + 1) % 3, (axis + 2) % 3};
-          int corner[3];
-          corner[others[0]] = side & 1;
-          corner[others[1]] = side / 2;
-          const auto put = [&](int direction) {
-            int low[3] = {corner[0], corner[1], corner[2]}, high[3] = {corner[0], corner[1], corner[2]};
-            low[direction] = 0;
-            high[direction] = 1;
-            frame[count].from[direction] = node[low[0]][low[1]][low[2]];
-            frame[count].to[direction] = node[high[0]][high[1]][high[2]];
-          };
-          corner[axis] = 0;
-          put(axis);
-          corner[axis] = end;
-          put(others[0]);
-          corner[axis] = 1 - end;
-          put(others[1]);
-          ++count;
-        }
-  }
-};
-const FrameTable kFrames;
 
 }  // namespace
 
@@ -138,81 +65,6 @@ HexEnergy::HexEnergy(const std::vector<std::array<int, 8>>& hexes, int points, c
     for (int k = 0; k < 8; ++k) incident_[next[hexes[order[i]][k]]++] = (i / kLanes * 8 + k) * 3 * kLanes + i % kLanes;
 }
 
-template <bool kWorst>
-HexEnergy::Part HexEnergy::evaluate_group(int group, const double* x, const EnergyTerms& terms, double* slots) const {
-  const int* node = nodes_.data() + 8 * kLanes * group;
-  const Lanes inverse = Eigen::Map<const Lanes>(inverse_size_.data() + kLanes * group);
-  const Lanes weight = Eigen::Map<const Lanes>(weight_.data() + kLanes * group);
-  const Lanes wall = Eigen::Map<const Lanes>(shortest_.data() + kLanes * group);
-  const Lanes allowed = Eigen::Map<const Lanes>(least_.data() + kLanes * group);
-  Vector p[8];
-  for (int k = 0; k < 8; ++k)
-    for (int l = 0; l < kLanes; ++l) {
-      const double* from = x + node[k * kLanes + l];
-      p[k].x[l] = from[0] * inverse[l];
-      p[k].y[l] = from[1] * inverse[l];
-      p[k].z[l] = from[2] * inverse[l];
-    }
-  Vector grad[8];
-  for (Vector& g : grad) g.x = g.y = g.z = Lanes::Zero();
-
-  const double theta = terms.theta, epsilon2 = terms.epsilon_squared, shape = kWorst ? terms.shape_weight : 1;
-  Lanes energy = Lanes::Zero(), least = Lanes::Constant(std::numeric_limits<double>::infinity());
-  const int frames = frame_count(group);
-  for (int i = 0; i < frames; ++i) {
-    const Frame& frame = kFrames.frame[i];
-    const double share = i < kCorners ? 1 : kMixedWeight, part_shape = share * shape;
-    const Vector a = p[frame.to[0]] - p[frame.from[0]], b = p[frame.to[1]] - p[frame.from[1]], c = p[frame.to[2]] - p[frame.from[2]];
-    const Vector bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
-    const Lanes d = dot(a, bc), aa = dot(a, a), bb = dot(b, b), cc = dot(c, c), sum = aa + bb + cc;
-    least = least.min(d);
-    // chi without cancellation for d < 0, and chi' = chi / root.
-    const Lanes root = (epsilon2 + d * d).sqrt(), outer = root + d.abs();
-    const Lanes chi = (d >= 0).select(0.5 * outer, (0.5 * epsilon2) / outer);
-    const Lanes y = inverse_cube_root(chi), y2 = y * y, inverse_chi = y2 * y, slope = chi / root;
-    const Lanes f = sum * y2, g = (1 + d * d) * inverse_chi;
-    energy += part_shape * ((1 - theta) * f + theta * g);
-    const Lanes alpha = (2 * (1 - theta) * part_shape) * y2;
-    Lanes beta = part_shape * (2 * theta * d * inverse_chi - slope * inverse_chi * ((1 - theta) * (2.0 / 3.0) * f + theta * g));
-    Lanes alpha_a = alpha, alpha_b = alpha, alpha_c = alpha;
-    if (kWorst) {
-      if ((aa.min(bb).min(cc) < allowed).any()) return {std::numeric_limits<double>::infinity(), 0};
-      const Lanes q = (aa * bb * cc).sqrt() / d, power = share * to_power(q, terms.power), slope_q = terms.power * power;
-      const Lanes ia = aa.inverse(), ib = bb.inverse(), ic = cc.inverse();
-      const Lanes wa = (wall * ia - 1).max(0.0), wb = (wall * ib - 1).max(0.0), wc = (wall * ic - 1).max(0.0);
-      energy += power + (4 * share) * (wa * wa + wb * wb + wc * wc);
-      alpha_a += slope_q * ia - (16 * share) * wa * wall * ia * ia;
-      alpha_b += slope_q * ib - (16 * share) * wb * wall * ib * ib;
-      alpha_c += slope_q * ic - (16 * share) * wc * wall * ic * ic;
-      beta -= slope_q / d;
-    }
-    if (!slots) continue;
-    const Vector ga{alpha_a * a.x + beta * bc.x, alpha_a * a.y + beta * bc.y, alpha_a * a.z + beta * bc.z};
-    const Vector gb{alpha_b * b.x + beta * ca.x, alpha_b * b.y + beta * ca.y, alpha_b * b.z + beta * ca.z};
-    const Vector gc{alpha_c * c.x + beta * ab.x, alpha_c * c.y + beta * ab.y, alpha_c * c.z + beta * ab.z};
-    const Vector* parts[3] = {&ga, &gb, &gc};
-    for (int k = 0; k < 3; ++k) {
-      Vector& to = grad[frame.to[k]];
-      Vector& from = grad[frame.from[k]];
-      to.x += parts[k]->x, to.y += parts[k]->y, to.z += parts[k]->z;
-      from.x -= parts[k]->x, from.y -= parts[k]->y, from.z -= parts[k]->z;
-    }
-  }
-  if (slots) {
-    double* out = slots + 24 * kLanes * group;
-    for (int k = 0; k < 8; ++k) {
-      Eigen::Map<Lanes>(out + (3 * k) * kLanes) = grad[k].x * inverse;
-      Eigen::Map<Lanes>(out + (3 * k + 1) * kLanes) = grad[k].y * inverse;
-      Eigen::Map<Lanes>(out + (3 * k + 2) * kLanes) = grad[k].z * inverse;
-    }
-  }
-  // Empty lanes repeat the last element: harmless in the minimum, left out of the sum.
-  Part part{0, least.minCoeff()};
-  for (int l = 0; l < kLanes; ++l)
-    if (weight[l] > 0) part.energy += energy[l];
-  return part;
-}
-
 void HexEnergy::set_spans(std::vector<Span> spans, const double* x) {
   constexpr double kBarrier = 1.2;
   spans_ = std::move(spans);
@@ -265,10 +117,12 @@ EnergyValue HexEnergy::evaluate(const double* x, const EnergyTerms& terms, doubl
   double* slots = gradient ? slots_.data() : nullptr;
   workers_.run(groups, 64, [&](int begin, int end) {
     for (int g = begin; g < end; ++g)
-      parts_[g] = terms.power > 0 ? evaluate_group<true>(g, x, terms, slots) : evaluate_group<false>(g, x, terms, slots);
+      parts_[g] = evaluate_group({nodes_.data() + 8 * kLanes * g, inverse_size_.data() + kLanes * g, weight_.data() + kLanes * g,
+                                  shortest_.data() + kLanes * g, least_.data() + kLanes * g, frame_count(g)},
+                                 x, terms, slots ? slots + static_cast<std::size_t>(24) * kLanes * g : nullptr);
   });
   EnergyValue value{0, std::numeric_limits<double>::infinity()};
-  for (const Part& part : parts_) {
+  for (const GroupValue& part : parts_) {
     value.energy += part.energy;
     value.min_det = std::min(value.min_det, part.min_det);
   }
@@ -352,7 +206,7 @@ void HexEnergy::stiffness(const double* x, const EnergyTerms& terms, std::vector
           sum[k].tail<3>() += curvature * Vec3(g[1] * g[2], g[0] * g[2], g[0] * g[1]);
         };
         for (int i = 0; i < frame_count(group); ++i) {
-          const Frame& frame = kFrames.frame[i];
+          const Frame& frame = hex_frames().frame[i];
           Vec3 edges[3];
           for (int k = 0; k < 3; ++k) edges[k] = p[frame.to[k]] - p[frame.from[k]];
           const CornerStiffness s = corner_stiffness(edges, terms);

@@ -4,32 +4,10 @@
 #include <vector>
 
 #include "base/types.h"
+#include "smooth/hex_kernel.h"
 #include "smooth/workers.h"
 
 namespace hexfeature {
-
-/// Which energy of the corner tetrahedra is meant, and its numbers.
-///
-/// At each corner of a hexahedron A = (e1 e2 e3) / L, with the three edges from there and the element's target size L;
-/// d = det A. The shape energy is
-///   chi = (d + sqrt(eps^2 + d^2)) / 2,  f = |A|^2 / chi^(2/3),  g = (1 + d^2) / chi,  E = (1 - theta) f + theta g.
-/// It is finite on inverted elements as well, and a barrier against inversion as eps goes to 0.
-/// Source: Garanzha, Kaporin, Kudryavtseva, Protais, Ray, Sokolov, "Foldover-free maps in 50 lines of code",
-/// ACM Trans. Graph. 40(4), 2021, equations (3) to (6).
-///
-/// The corners alone do not see an element that is folded along an edge. A `thorough` element has 24 more tetrahedra, at a
-/// third of the weight: an edge of direction r with one edge of direction s from its one end and one of direction t from its
-/// other end. The determinant's Bernstein coefficient of that edge is the mean of two of their determinants.
-///
-/// The worst-element energy, for power p > 0, is Sum (|e1| |e2| |e3| / det)^p + shape_weight E + a wall against edges shorter
-/// than the element's shortest wanted one m: 4 (m^2 / |e|^2 - 1)^2 where |e| < m. It is defined on valid elements alone, and only
-/// while no edge is shorter than the element's least allowed one.
-struct EnergyTerms {
-  double theta = 0.1;
-  double epsilon_squared = 1e-6;
-  int power = 0;  ///< 0: shape energy alone; else 1, 2, 4, 8 or 16
-  double shape_weight = 1;
-};
 
 /// A mesh edge that follows a CAD curve, and the lengths it should keep: beyond `longest` its chord would cut too much off the
 /// curve, below `shortest` its ends would run together. Only lengths outside the two cost anything:
@@ -70,14 +48,8 @@ class HexEnergy {
   void stiffness(const double* x, const EnergyTerms& terms, std::vector<double>& blocks) const;
 
  private:
-  static constexpr int kLanes = 4;
-  struct Part {
-    double energy, min_det;
-  };
   int frame_count(int group) const;
   double add_spans(const double* x, bool barrier, double* gradient) const;
-  template <bool kWorst>
-  Part evaluate_group(int group, const double* x, const EnergyTerms& terms, double* slots) const;
 
   int hexes_, points_;
   std::vector<int> nodes_;             ///< per group of four elements: 8 nodes x 4 lanes, as offsets into x
@@ -88,7 +60,7 @@ class HexEnergy {
   std::vector<char> thorough_;         ///< per group
   std::vector<int> start_, incident_;  ///< per point: where its gradient parts are in slots_
   std::vector<double> slots_;          ///< per group: 8 nodes x 3 coordinates x 4 lanes
-  std::vector<Part> parts_;            ///< per group
+  std::vector<GroupValue> parts_;      ///< per group
   std::vector<Span> spans_;
   std::vector<double> limit_;  ///< per span: r1
   Workers& workers_;

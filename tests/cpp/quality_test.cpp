@@ -110,6 +110,23 @@ TEST_CASE("a box is certified and measured") {
   CHECK(certify(c, box, 7, 1e-6, context).faces_without_quads == std::vector<int>{7});
 }
 
+TEST_CASE("the skin: lean, thickness and warp of what stands on the boundary") {
+  HexComplex c = box_mesh({3, 3, 3}, Vec3(3, 6, 9));
+  SkinReport skin = measure_skin(c);
+  CHECK(skin.max_lean == doctest::Approx(0).epsilon(1e-6));
+  CHECK(skin.max_warp == doctest::Approx(0).epsilon(1e-6));
+  CHECK(skin.min_thickness == doctest::Approx(1));
+  CHECK(skin.mean_thickness == doctest::Approx(2));  // of 1, 2 and 3, nine quads on either side each
+  CHECK(skin.warped == 0);
+  c.points[21] += Vec3(0.5, 0, 0);  // an inner point moves sideways: the edges to it lean, no quad bends
+  skin = measure_skin(c);
+  CHECK(skin.max_lean > 5);
+  CHECK(skin.max_warp == doctest::Approx(0).epsilon(1e-6));
+  c.points[5] += Vec3(0, 0, 1.5);  // (1, 1, 0), on the bottom
+  CHECK(measure_skin(c).max_warp > 15);
+  CHECK(measure_skin(c).warped > 0);
+}
+
 TEST_CASE("each fault has its error") {
   const BoxProjector box(Vec3(3, 3, 3));
   const HexComplex good = box_mesh({3, 3, 3}, Vec3(3, 3, 3));

@@ -210,7 +210,7 @@ TEST_CASE("a sheet that leaves along a CAD edge and turns off it within one quad
   const LayerRefusal refusal = insert_layer(part.complex, t, part.shape, part.geometry(), set, {});
   CAPTURE(refusal.reason);
   CHECK(refusal.reason.find("one quad") != std::string::npos);
-  CHECK(!refusal.bent_edges.empty());
+  CHECK(!refusal.together.empty());
   CHECK(part.complex.hexes == before);
 }
 
