@@ -24,7 +24,7 @@ LabelResult label_regions(const SurfaceMesh& mesh, const Geometry& geometry, con
   region_options.size = options.size;
   CutTree tree(cut_regions(mesh, geometry, region_options, context), geometry, options.size);
 
-  const auto fill_sites = [&](int cutting, const std::vector<Label>& labels) {
+  const auto fill_sites = [&](int cutting, const std::vector<Label>& labels, bool thorough) {
     LabelSearch::Fill result;
     if (!fill) {
       result.ok = true;
@@ -34,8 +34,9 @@ LabelResult label_regions(const SurfaceMesh& mesh, const Geometry& geometry, con
     const LabelledSurface surface = labelled(regions, labels);
     FeatureShape shape = make_feature_shape(surface);
     if (!check_validity(shape, options.size).valid()) return result;
-    const FillOutcome outcome = fill(surface.mesh, shape);
+    const FillOutcome outcome = fill(surface.mesh, shape, thorough);
     result.ok = outcome.ok;
+    result.rounds = outcome.rounds;
     for (int c : outcome.charts)
       for (int t : shape.cells.parts[c].triangles) result.sites.push_back(regions.site[t]);
     std::sort(result.sites.begin(), result.sites.end());

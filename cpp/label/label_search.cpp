@@ -20,7 +20,9 @@ constexpr double kClean = 0.25;        // defects that a relabelling that cures 
 constexpr double kLeastCosine = -0.3;  // a site never takes a label that its normals oppose more
 constexpr int kAfterBest = 4;          // expansions spent on improving a filled state ...
 constexpr int kAfterBestDefects = 12;  // ... and so many more when it has a defect too many
-constexpr double kFillWork = 3e5;      // counted work of one fill check
+constexpr double kFillWork = 1e5;      // counted work of one fill check ...
+constexpr double kRoundWork = 4e4;     // ... and of each of its rounds
+constexpr int kThoroughFills = 3;      // so many fill checks may take their time
 constexpr double kSplitWork = 1.5;     // ... of one split, per triangle of the surface
 constexpr double kImproveWork = 3e7;   // counted work spent on improving a filled state
 constexpr double kTangent = 20 * EIGEN_PI / 180;
@@ -167,7 +169,7 @@ void LabelSearch::push_starts() {
   std::stable_sort(states.begin(), states.end(), [](const LabelState& a, const LabelState& b) { return a.total < b.total; });
   for (LabelState& state : states) {
     if (have_best_ || !state.score.valid()) continue;
-    fill(state);
+    fill(state, result_.fills < kThoroughFills);
     if (state.filled) keep_best(state);
   }
   for (LabelState& state : states) push(std::move(state));
@@ -180,14 +182,28 @@ void LabelSearch::keep_best(const LabelState& state) {
   result_.best = state;
 }
 
-void LabelSearch::fill(LabelState& state) {
+void LabelSearch::fill(LabelState& state, bool thorough) {
   ++result_.fills;
-  result_.work += kFillWork;
-  Fill filled = fill_(state.cutting, state.labels);
+  Fill filled = fill_(state.cutting, state.labels, thorough);
+  result_.work += kFillWork + kRoundWork * filled.rounds;
   state.fill_tried = true;
   state.filled = filled.ok;
   state.fill_blame = std::move(filled.sites);
   state.total = total_of(state, tree_);
+  if (filled.ok || thorough) return;
+  unfilled_.push_back(state);
+  std::stable_sort(unfilled_.begin(), unfilled_.end(), [](const LabelState& a, const LabelState& b) { return a.total < b.total; });
+  if (unfilled_.size() > kThoroughFills) unfilled_.pop_back();
+}
+
+/// When nothing has filled: the best valid states once more, with all means.
+void LabelSearch::fill_the_rest() {
+  std::vector<LabelState> states = std::move(unfilled_);
+  for (LabelState& state : states) {
+    if (have_best_) return;
+    fill(state, true);
+    if (state.filled) keep_best(state);
+  }
 }
 
 bool LabelSearch::finished() const {
@@ -433,7 +449,7 @@ void LabelSearch::polish() {
     if (accepted == before) break;
   }
   if (accepted == 0) return;
-  fill(state);
+  fill(state, false);
   if (state.filled) keep_best(state);
 }
 
@@ -446,7 +462,7 @@ SearchResult LabelSearch::run() {
       return state.score.valid() && !state.fill_tried && (!have_best_ || state.total < result_.best.total - 1e-12);
     };
     const auto try_to_fill = [&] {
-      fill(state);
+      fill(state, !have_best_ && result_.fills < kThoroughFills);
       if (state.filled) keep_best(state);
       return have_best_ && result_.best.score.defects < options_.good_defects;
     };
@@ -477,6 +493,7 @@ SearchResult LabelSearch::run() {
     ++state.phase;
     push(std::move(state));
   }
+  fill_the_rest();
   polish();
   return std::move(result_);
 }

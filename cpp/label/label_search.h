@@ -50,9 +50,10 @@ class LabelSearch {
  public:
   struct Fill {
     bool ok = false;
+    int rounds = 1;          ///< counted work
     std::vector<int> sites;  ///< to blame
   };
-  using FillSites = std::function<Fill(int cutting, const std::vector<Label>& labels)>;
+  using FillSites = std::function<Fill(int cutting, const std::vector<Label>& labels, bool thorough)>;
 
   LabelSearch(CutTree& tree, const SearchOptions& options, FillSites fill, Context& context);
   SearchResult run();
@@ -65,7 +66,8 @@ class LabelSearch {
   std::vector<Label> nearest_labels(const MacroGraph& graph) const;
   void iterate_modes(const MacroGraph& graph, std::vector<Label>& labels, double differ) const;
   void merge_islands(LabelState& state);
-  void fill(LabelState& state);
+  void fill(LabelState& state, bool thorough);
+  void fill_the_rest();
   bool finished() const;
   void keep_best(const LabelState& state);
   std::vector<int> sites_to_repair(const LabelState& state);
@@ -85,6 +87,7 @@ class LabelSearch {
   bool have_best_ = false;
   double improve_until_ = 0;  // counted work
   int after_best_ = 0;        // expansions since something filled
+  std::vector<LabelState> unfilled_;  // the best valid states that a quick look could not fill
   // Waiting states in two orders, expanded in turn: by `total`, and with defects dear and violations cheap: a valid
   // labelling that flattens a pocket is often further from a good one than an invalid one is.
   std::deque<LabelState> states_;
