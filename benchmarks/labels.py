@@ -16,6 +16,7 @@ import math
 import os
 import random
 import re
+import resource
 import statistics
 import subprocess
 import sys
@@ -23,7 +24,7 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-COLUMNS = ("part", "outcome", "charts", "defects", "expansions", "labels_s", "quantize_s", "min_sj", "reason")
+COLUMNS = ("part", "outcome", "charts", "defects", "expansions", "labels_s", "quantize_s", "cpu_s", "min_sj", "reason")
 TURN_SEED = 7
 LIMIT = 120  # seconds for one part
 
@@ -68,9 +69,11 @@ def run(part, size, out, words):
 def judge(part, size, folder, choice):
     """Label, quantize and fill one part; returns its row."""
     words = ["--labels", choice.labels]
+    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     report = run(part, size, folder / f"{part.stem}.vtk", words + ([] if choice.mesh else ["--stop-after", "polycube"]))
     row = dict.fromkeys(COLUMNS, "")
     row["part"], row["outcome"] = part.stem, "valid"
+    row["cpu_s"] = f"{resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before:.2f}"
     error = report.get("error")
     if error:
         row["outcome"], row["reason"] = error["step"], error["reason"] + " @" + " ".join(map(str, error["cad_faces"][:8]))
@@ -94,7 +97,7 @@ def main(choice):
     with open(parts, newline="") as table:
         wanted = [r for r in csv.DictReader(table) if re.search(choice.only, r["part"])]
     rows = []
-    print(f"{'part':32s} {'outcome':10s} {'charts':>6s} {'defects':>7s} {'expand':>6s} {'labels':>7s} {'quant.':>7s} {'SJ':>6s}")
+    print(f"{'part':32s} {'outcome':10s} {'charts':>6s} {'defects':>7s} {'expand':>6s} {'labels':>7s} {'quant.':>7s} {'cpu':>6s} {'SJ':>6s}")
     for entry in wanted:
         for turn in range(choice.turns or 1):
             part = parts.parent / entry["part"]
@@ -102,7 +105,7 @@ def main(choice):
                 part = turned(part, folder, turn)
             row = judge(part, entry["size"], folder, choice)
             rows.append(row)
-            print("{part:32s} {outcome:10s} {charts:>6} {defects:>7} {expansions:>6} {labels_s:>7} {quantize_s:>7} {min_sj:>6} {reason}".format(**row),
+            print("{part:32s} {outcome:10s} {charts:>6} {defects:>7} {expansions:>6} {labels_s:>7} {quantize_s:>7} {cpu_s:>6} {min_sj:>6} {reason}".format(**row),
                   flush=True)
     with open(folder / "labels.csv", "w", newline="") as table:
         writer = csv.DictWriter(table, COLUMNS)

@@ -54,13 +54,58 @@ LabelSearch::LabelSearch(CutTree& tree, const SearchOptions& options, FillSites 
 /// Score a state; false when it was seen before.
 bool LabelSearch::evaluate(LabelState& state) {
   if (!seen_.insert(hash_of(state)).second || tree_.redundant(state.cutting, state.labels)) return false;
+  judge(state);
+  if ((result_.scored & 255) == 0) context_.check();
+  return true;
+}
+
+void LabelSearch::judge(LabelState& state) {
   const MacroGraph& graph = tree_.graph(state.cutting);
   state.score = scorer_.score(graph, state.labels);
+  state.fill_tried = state.filled = false;
+  state.fill_blame.clear();
+  for (const auto& labels : unfillable_) {
+    const auto same = [&](const std::pair<int, Label>& l) {
+      return l.first < static_cast<int>(state.labels.size()) && state.labels[l.first] == l.second;
+    };
+    if (!std::all_of(labels.begin(), labels.end(), same)) continue;
+    state.fill_tried = true;
+    for (const auto& l : labels) state.fill_blame.push_back(l.first);
+    break;
+  }
   state.total = total_of(state, tree_);
   ++result_.scored;
   result_.work += graph.edge_count() + graph.site_count();
-  if ((result_.scored & 255) == 0) context_.check();
-  return true;
+}
+
+/// Remember the labels of the sites that a failed fill blames, and of their neighbours.
+void LabelSearch::learn(const LabelState& state) {
+  constexpr std::size_t kRemembered = 100;
+  const MacroGraph& graph = tree_.graph(state.cutting);
+  scorer_.score(graph, state.labels);
+  const std::vector<int>& chart = scorer_.site_chart;
+  std::vector<int> blamed(graph.site_count(), 0);
+  for (int s : state.fill_blame) blamed[s] = 1;
+  int charts = 0;
+  std::vector<char> counted(scorer_.charts.chart_count(), 0);
+  for (int s : state.fill_blame)
+    if (!counted[chart[s]]) counted[chart[s]] = 1, ++charts;
+  // Of the neighbours those count that touch two of the charts: there the charts are in each other's way.
+  std::vector<char> involved(graph.site_count(), 0);
+  for (int s = 0; s < graph.site_count(); ++s) {
+    int touched = -1;
+    for (int i = graph.site_first[s]; i < graph.site_first[s + 1] && !involved[s]; ++i) {
+      const int t = graph.right_of(graph.site_darts[i]);
+      if (!blamed[t]) continue;
+      involved[s] = blamed[s] || charts == 1 || (touched >= 0 && touched != chart[t]);
+      touched = chart[t];
+    }
+    involved[s] = involved[s] || blamed[s];
+  }
+  std::vector<std::pair<int, Label>> labels;
+  for (int s = 0; s < graph.site_count(); ++s)
+    if (involved[s]) labels.emplace_back(s, state.labels[s]);
+  if (!labels.empty() && unfillable_.size() < kRemembered) unfillable_.push_back(std::move(labels));
 }
 
 void LabelSearch::push(LabelState&& state) {
@@ -190,7 +235,9 @@ void LabelSearch::fill(LabelState& state, bool thorough) {
   state.filled = filled.ok;
   state.fill_blame = std::move(filled.sites);
   state.total = total_of(state, tree_);
-  if (filled.ok || thorough) return;
+  if (filled.ok) return;
+  learn(state);
+  if (thorough) return;
   unfilled_.push_back(state);
   std::stable_sort(unfilled_.begin(), unfilled_.end(), [](const LabelState& a, const LabelState& b) { return a.total < b.total; });
   if (unfilled_.size() > kThoroughFills) unfilled_.pop_back();
@@ -300,7 +347,6 @@ void LabelSearch::combine_children(const LabelState& state) {
   };
   touch(combined);
   int added = 0;
-  const MacroGraph& graph = tree_.graph(state.cutting);
   for (int i : order) {
     const LabelState& child = children_[i];
     bool apart = true;
@@ -309,10 +355,7 @@ void LabelSearch::combine_children(const LabelState& state) {
     LabelState next = combined;
     for (std::size_t s = 0; s < state.labels.size(); ++s)
       if (child.labels[s] != state.labels[s]) next.labels[s] = child.labels[s];
-    next.score = scorer_.score(graph, next.labels);
-    next.total = total_of(next, tree_);
-    ++result_.scored;
-    result_.work += graph.edge_count() + graph.site_count();
+    judge(next);
     if (next.total >= combined.total - 0.05) continue;
     combined = std::move(next);
     touch(combined);
