@@ -50,8 +50,8 @@ LabelResult label_regions(const SurfaceMesh& mesh, const Geometry& geometry, con
     double fold_tolerance, work;
   };
   SearchResult found;
-  for (const Try& attempt : {Try{options.fold_tolerance, kShort}, Try{std::min(kStrict, options.fold_tolerance), kShort},
-                             Try{options.fold_tolerance, 1.0}}) {
+  for (const Try& attempt :
+       {Try{options.fold_tolerance, kShort}, Try{std::min(kStrict, options.fold_tolerance), kShort}, Try{options.fold_tolerance, 1.0}}) {
     SearchOptions search_options;
     search_options.size = options.size;
     search_options.max_expansions = options.max_expansions;

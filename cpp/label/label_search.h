@@ -88,10 +88,10 @@ class LabelSearch {
   LabelScorer scorer_;
   SearchResult result_;
   bool have_best_ = false;
-  double improve_until_ = 0;  // counted work
-  int after_best_ = 0;        // expansions since something filled
+  double improve_until_ = 0;                                    // counted work
+  int after_best_ = 0;                                          // expansions since something filled
   std::vector<std::vector<std::pair<int, Label>>> unfillable_;  // labels of some sites that together have failed to fill
-  std::vector<LabelState> unfilled_;  // the best valid states that a quick look could not fill
+  std::vector<LabelState> unfilled_;                            // the best valid states that a quick look could not fill
   // Waiting states in two orders, expanded in turn: by `total`, and with defects dear and violations cheap: a valid
   // labelling that flattens a pocket is often further from a good one than an invalid one is.
   std::deque<LabelState> states_;
