@@ -5,7 +5,8 @@
 PARTS.csv has the columns part (a file beside it) and size. Runs the feature-line method as far as the filled polycube, each part in
 a process of its own, and prints which condition fails where: V1-V4 of the feature shape, V5 and V6 of the lattice, and the seconds that
 labels and quantization take. --turns N does so N times for each part: turned by 77.7 degrees about (1, 2, 3), then by chance.
---mesh goes on to the certified mesh, and counts those. With --out, DIR/labels.csv has a line a part and DIR keeps pictures of failed labels.
+--mesh goes on to the certified mesh, and counts those. With --out, DIR/labels.csv has a line a part, and pictures of failed labels
+stay in DIR.
 benchmarks/machined_blocks.py draws a family of parts to run it on. Exit code 1 when a part has no valid polycube.
 """
 import argparse
@@ -13,7 +14,6 @@ import collections
 import csv
 import json
 import math
-import os
 import random
 import re
 import resource
@@ -24,7 +24,7 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-COLUMNS = ("part", "outcome", "charts", "defects", "expansions", "labels_s", "quantize_s", "cpu_s", "min_sj", "reason")
+COLUMNS = ("part", "outcome", "charts", "defects", "expand", "labels_s", "quantize_s", "cpu_s", "min_sj", "reason")
 TURN_SEED = 7
 LIMIT = 120  # seconds for one part
 
@@ -82,7 +82,7 @@ def judge(part, size, folder, choice):
             run(part, size, folder / f"{part.stem}.labels.vtk", words + ["--stop-after", "labels"])  # its picture
         return row
     seconds, labels = report["step_seconds"], report["labels"]
-    row.update(charts=labels["charts"], defects=f"{labels['defects']:.2f}", expansions=labels["expansions"],
+    row.update(charts=labels["charts"], defects=f"{labels['defects']:.2f}", expand=labels["expansions"],
                labels_s=f"{seconds.get('labels', 0):.2f}", quantize_s=f"{seconds.get('lattice', 0):.2f}")
     if choice.mesh:
         row["min_sj"] = f"{report['quality']['min_scaled_jacobian']:.3f}"
@@ -97,7 +97,8 @@ def main(choice):
     with open(parts, newline="") as table:
         wanted = [r for r in csv.DictReader(table) if re.search(choice.only, r["part"])]
     rows = []
-    print(f"{'part':32s} {'outcome':10s} {'charts':>6s} {'defects':>7s} {'expand':>6s} {'labels':>7s} {'quant.':>7s} {'cpu':>6s} {'SJ':>6s}")
+    line = "{:32s} {:10s} {:>6} {:>7} {:>6} {:>8} {:>10} {:>6} {:>6} {}"
+    print(line.format(*COLUMNS))
     for entry in wanted:
         for turn in range(choice.turns or 1):
             part = parts.parent / entry["part"]
@@ -105,8 +106,7 @@ def main(choice):
                 part = turned(part, folder, turn)
             row = judge(part, entry["size"], folder, choice)
             rows.append(row)
-            print("{part:32s} {outcome:10s} {charts:>6} {defects:>7} {expansions:>6} {labels_s:>7} {quantize_s:>7} {cpu_s:>6} {min_sj:>6} {reason}".format(**row),
-                  flush=True)
+            print(line.format(*(row[column] for column in COLUMNS)), flush=True)
     with open(folder / "labels.csv", "w", newline="") as table:
         writer = csv.DictWriter(table, COLUMNS)
         writer.writeheader()

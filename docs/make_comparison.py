@@ -84,15 +84,16 @@ def main(table=None):
         print(table_of(rows) + "\n" + sum_of(rows))
         return
     rows, root = [], DOCS.parent
-    for script, more in ((root / "tests" / "parts" / "make_parts.py", ()), (root / "benchmarks" / "machined_blocks.py", ("--count", str(BLOCKS)))):
+    for script, more in (("tests/parts/make_parts.py", ()), ("benchmarks/machined_blocks.py", ("--count", str(BLOCKS)))):
         with tempfile.TemporaryDirectory() as scratch:
-            subprocess.run(["/usr/bin/python3", str(script), scratch, *more], check=True, capture_output=True)
+            subprocess.run(["/usr/bin/python3", str(root / script), scratch, *more], check=True, capture_output=True)
             rows += compare(Path(scratch) / "parts.csv")
     ours_alone = [name for name, (paper, ours) in rows if paper[2] != "filled" and ours[2] == "filled"]
     pictures = ""
     for name, (paper, ours) in rows:
         if name in DRAWN or name in ours_alone[:MORE]:
-            pictures += f"\n{name}: the paper's labels, and the default's\n\n{draw(name, paper[0], 'paper')} {draw(name, ours[0], 'default')}\n"
+            pictures += f"\n{name}: the paper's labels, and the default's\n\n"
+            pictures += f"{draw(name, paper[0], 'paper')} {draw(name, ours[0], 'default')}\n"
     (DOCS / "labellers.md").write_text(PAGE.format(table=table_of(rows), sum=sum_of(rows), pictures=pictures), encoding="utf-8")
 
 
