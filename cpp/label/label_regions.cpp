@@ -24,7 +24,7 @@ LabelResult label_regions(const SurfaceMesh& mesh, const Geometry& geometry, con
   region_options.size = options.size;
   CutTree tree(cut_regions(mesh, geometry, region_options, context), geometry, options.size);
 
-  const auto fill_sites = [&](int cutting, const std::vector<Label>& labels) {
+  const auto fill_sites = [&](int cutting, const std::vector<Label>& labels, bool thorough) {
     LabelSearch::Fill result;
     if (!fill) {
       result.ok = true;
@@ -34,21 +34,34 @@ LabelResult label_regions(const SurfaceMesh& mesh, const Geometry& geometry, con
     const LabelledSurface surface = labelled(regions, labels);
     FeatureShape shape = make_feature_shape(surface);
     if (!check_validity(shape, options.size).valid()) return result;
-    const FillOutcome outcome = fill(surface.mesh, shape);
+    const FillOutcome outcome = fill(surface.mesh, shape, thorough);
     result.ok = outcome.ok;
+    result.rounds = outcome.rounds;
     for (int c : outcome.charts)
       for (int t : shape.cells.parts[c].triangles) result.sites.push_back(regions.site[t]);
     std::sort(result.sites.begin(), result.sites.end());
     result.sites.erase(std::unique(result.sites.begin(), result.sites.end()), result.sites.end());
     return result;
   };
-  SearchOptions search_options;
-  search_options.size = options.size;
-  search_options.max_expansions = options.max_expansions;
-  search_options.max_work = options.max_work;
-  search_options.fold_tolerance = options.fold_tolerance;
-  LabelSearch search(tree, search_options, fill_sites, context);
-  const SearchResult found = search.run();
+  // Two short tries before the long one: where the search gets lost, it often finds its way at once when feature lines that turn back
+  // guide it from the start. A labelling with a bad defect is worth another try too.
+  constexpr double kShort = 1.0 / 6, kStrict = 0.3, kGood = 0.5;
+  struct Try {
+    double fold_tolerance, work;
+  };
+  SearchResult found;
+  for (const Try& attempt :
+       {Try{options.fold_tolerance, kShort}, Try{std::min(kStrict, options.fold_tolerance), kShort}, Try{options.fold_tolerance, 1.0}}) {
+    SearchOptions search_options;
+    search_options.size = options.size;
+    search_options.max_expansions = options.max_expansions;
+    search_options.max_work = attempt.work * options.max_work;
+    search_options.fold_tolerance = attempt.fold_tolerance;
+    SearchResult next = LabelSearch(tree, search_options, fill_sites, context).run();
+    const bool better = next.best.filled != found.best.filled ? next.best.filled : next.best.score.defects < found.best.score.defects;
+    if (found.best.labels.empty() || better) found = std::move(next);
+    if (found.best.filled && (found.best.score.defects < kGood || attempt.work == 1.0)) break;
+  }
 
   LabelResult result;
   const Regions& regions = tree.regions(found.best.cutting);

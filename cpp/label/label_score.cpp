@@ -164,7 +164,9 @@ LabelScorer::Backward LabelScorer::backward(const MacroGraph& graph, int a) cons
 double LabelScorer::backward_defect(const MacroGraph& graph, int a) const {
   if (checker.axis[a] < 0 || charts.arcs[a].start < 0) return 0;
   const double overall = -checker.sign[a] * charts.arcs[a].displacement[checker.axis[a]] / size_ - kBackward;
-  const double excess = std::max(overall, backward(graph, a).length / size_ - fold_tolerance_);
+  // An arc that ends before it began makes a chart that is folded over: it hardly ever fills, and never well.
+  if (overall > 0) return std::min(1.0, 0.25 + overall);
+  const double excess = backward(graph, a).length / size_ - fold_tolerance_;
   return excess > 0 ? 0.3 * std::min(1.0, 0.25 + excess) : 0;
 }
 

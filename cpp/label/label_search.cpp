@@ -20,7 +20,9 @@ constexpr double kClean = 0.25;        // defects that a relabelling that cures 
 constexpr double kLeastCosine = -0.3;  // a site never takes a label that its normals oppose more
 constexpr int kAfterBest = 4;          // expansions spent on improving a filled state ...
 constexpr int kAfterBestDefects = 12;  // ... and so many more when it has a defect too many
-constexpr double kFillWork = 3e5;      // counted work of one fill check
+constexpr double kFillWork = 1e5;      // counted work of one fill check ...
+constexpr double kRoundWork = 4e4;     // ... and of each of its rounds
+constexpr int kThoroughFills = 3;      // so many fill checks may take their time
 constexpr double kSplitWork = 1.5;     // ... of one split, per triangle of the surface
 constexpr double kImproveWork = 3e7;   // counted work spent on improving a filled state
 constexpr double kTangent = 20 * EIGEN_PI / 180;
@@ -52,13 +54,58 @@ LabelSearch::LabelSearch(CutTree& tree, const SearchOptions& options, FillSites 
 /// Score a state; false when it was seen before.
 bool LabelSearch::evaluate(LabelState& state) {
   if (!seen_.insert(hash_of(state)).second || tree_.redundant(state.cutting, state.labels)) return false;
+  judge(state);
+  if ((result_.scored & 255) == 0) context_.check();
+  return true;
+}
+
+void LabelSearch::judge(LabelState& state) {
   const MacroGraph& graph = tree_.graph(state.cutting);
   state.score = scorer_.score(graph, state.labels);
+  state.fill_tried = state.filled = false;
+  state.fill_blame.clear();
+  for (const auto& labels : unfillable_) {
+    const auto same = [&](const std::pair<int, Label>& l) {
+      return l.first < static_cast<int>(state.labels.size()) && state.labels[l.first] == l.second;
+    };
+    if (!std::all_of(labels.begin(), labels.end(), same)) continue;
+    state.fill_tried = true;
+    for (const auto& l : labels) state.fill_blame.push_back(l.first);
+    break;
+  }
   state.total = total_of(state, tree_);
   ++result_.scored;
   result_.work += graph.edge_count() + graph.site_count();
-  if ((result_.scored & 255) == 0) context_.check();
-  return true;
+}
+
+/// Remember the labels of the sites that a failed fill blames, and of their neighbours.
+void LabelSearch::learn(const LabelState& state) {
+  constexpr std::size_t kRemembered = 100;
+  const MacroGraph& graph = tree_.graph(state.cutting);
+  scorer_.score(graph, state.labels);
+  const std::vector<int>& chart = scorer_.site_chart;
+  std::vector<int> blamed(graph.site_count(), 0);
+  for (int s : state.fill_blame) blamed[s] = 1;
+  int charts = 0;
+  std::vector<char> counted(scorer_.charts.chart_count(), 0);
+  for (int s : state.fill_blame)
+    if (!counted[chart[s]]) counted[chart[s]] = 1, ++charts;
+  // Of the neighbours those count that touch two of the charts: there the charts are in each other's way.
+  std::vector<char> involved(graph.site_count(), 0);
+  for (int s = 0; s < graph.site_count(); ++s) {
+    int touched = -1;
+    for (int i = graph.site_first[s]; i < graph.site_first[s + 1] && !involved[s]; ++i) {
+      const int t = graph.right_of(graph.site_darts[i]);
+      if (!blamed[t]) continue;
+      involved[s] = blamed[s] || charts == 1 || (touched >= 0 && touched != chart[t]);
+      touched = chart[t];
+    }
+    involved[s] = involved[s] || blamed[s];
+  }
+  std::vector<std::pair<int, Label>> labels;
+  for (int s = 0; s < graph.site_count(); ++s)
+    if (involved[s]) labels.emplace_back(s, state.labels[s]);
+  if (!labels.empty() && unfillable_.size() < kRemembered) unfillable_.push_back(std::move(labels));
 }
 
 void LabelSearch::push(LabelState&& state) {
@@ -167,7 +214,7 @@ void LabelSearch::push_starts() {
   std::stable_sort(states.begin(), states.end(), [](const LabelState& a, const LabelState& b) { return a.total < b.total; });
   for (LabelState& state : states) {
     if (have_best_ || !state.score.valid()) continue;
-    fill(state);
+    fill(state, result_.fills < kThoroughFills);
     if (state.filled) keep_best(state);
   }
   for (LabelState& state : states) push(std::move(state));
@@ -180,14 +227,30 @@ void LabelSearch::keep_best(const LabelState& state) {
   result_.best = state;
 }
 
-void LabelSearch::fill(LabelState& state) {
+void LabelSearch::fill(LabelState& state, bool thorough) {
   ++result_.fills;
-  result_.work += kFillWork;
-  Fill filled = fill_(state.cutting, state.labels);
+  Fill filled = fill_(state.cutting, state.labels, thorough);
+  result_.work += kFillWork + kRoundWork * filled.rounds;
   state.fill_tried = true;
   state.filled = filled.ok;
   state.fill_blame = std::move(filled.sites);
   state.total = total_of(state, tree_);
+  if (filled.ok) return;
+  learn(state);
+  if (thorough) return;
+  unfilled_.push_back(state);
+  std::stable_sort(unfilled_.begin(), unfilled_.end(), [](const LabelState& a, const LabelState& b) { return a.total < b.total; });
+  if (unfilled_.size() > kThoroughFills) unfilled_.pop_back();
+}
+
+/// When nothing has filled: the best valid states once more, with all means.
+void LabelSearch::fill_the_rest() {
+  std::vector<LabelState> states = std::move(unfilled_);
+  for (LabelState& state : states) {
+    if (have_best_) return;
+    fill(state, true);
+    if (state.filled) keep_best(state);
+  }
 }
 
 bool LabelSearch::finished() const {
@@ -284,7 +347,6 @@ void LabelSearch::combine_children(const LabelState& state) {
   };
   touch(combined);
   int added = 0;
-  const MacroGraph& graph = tree_.graph(state.cutting);
   for (int i : order) {
     const LabelState& child = children_[i];
     bool apart = true;
@@ -293,10 +355,7 @@ void LabelSearch::combine_children(const LabelState& state) {
     LabelState next = combined;
     for (std::size_t s = 0; s < state.labels.size(); ++s)
       if (child.labels[s] != state.labels[s]) next.labels[s] = child.labels[s];
-    next.score = scorer_.score(graph, next.labels);
-    next.total = total_of(next, tree_);
-    ++result_.scored;
-    result_.work += graph.edge_count() + graph.site_count();
+    judge(next);
     if (next.total >= combined.total - 0.05) continue;
     combined = std::move(next);
     touch(combined);
@@ -433,7 +492,7 @@ void LabelSearch::polish() {
     if (accepted == before) break;
   }
   if (accepted == 0) return;
-  fill(state);
+  fill(state, false);
   if (state.filled) keep_best(state);
 }
 
@@ -446,7 +505,7 @@ SearchResult LabelSearch::run() {
       return state.score.valid() && !state.fill_tried && (!have_best_ || state.total < result_.best.total - 1e-12);
     };
     const auto try_to_fill = [&] {
-      fill(state);
+      fill(state, !have_best_ && result_.fills < kThoroughFills);
       if (state.filled) keep_best(state);
       return have_best_ && result_.best.score.defects < options_.good_defects;
     };
@@ -477,6 +536,7 @@ SearchResult LabelSearch::run() {
     ++state.phase;
     push(std::move(state));
   }
+  fill_the_rest();
   polish();
   return std::move(result_);
 }

@@ -45,27 +45,32 @@ struct SearchResult {
 /// Best-first repair of site labels (experiments A7): starts from the nearest axes and from iterated conditional modes; expands the
 /// sites to blame, one cluster of defects at a time, by relabelling a site, its chart, a site with a neighbour or a CAD face, and by
 /// splitting, alternating between the state that is best and the one with the fewest defects; a state is put back for its next candidates.
-/// Valid states are filled; the first one that fills and has few soft defects ends the search. Deterministic.
+/// Valid states are filled; the first one that fills and has few soft defects ends the search. What a failed fill blames is remembered:
+/// any other state with the same labels there, and round about, is taken to fail too. Deterministic.
 class LabelSearch {
  public:
   struct Fill {
     bool ok = false;
+    int rounds = 1;          ///< counted work
     std::vector<int> sites;  ///< to blame
   };
-  using FillSites = std::function<Fill(int cutting, const std::vector<Label>& labels)>;
+  using FillSites = std::function<Fill(int cutting, const std::vector<Label>& labels, bool thorough)>;
 
   LabelSearch(CutTree& tree, const SearchOptions& options, FillSites fill, Context& context);
   SearchResult run();
 
  private:
   bool evaluate(LabelState& state);
+  void judge(LabelState& state);
+  void learn(const LabelState& state);
   void push(LabelState&& state);
   LabelState pop();
   void push_starts();
   std::vector<Label> nearest_labels(const MacroGraph& graph) const;
   void iterate_modes(const MacroGraph& graph, std::vector<Label>& labels, double differ) const;
   void merge_islands(LabelState& state);
-  void fill(LabelState& state);
+  void fill(LabelState& state, bool thorough);
+  void fill_the_rest();
   bool finished() const;
   void keep_best(const LabelState& state);
   std::vector<int> sites_to_repair(const LabelState& state);
@@ -83,8 +88,10 @@ class LabelSearch {
   LabelScorer scorer_;
   SearchResult result_;
   bool have_best_ = false;
-  double improve_until_ = 0;  // counted work
-  int after_best_ = 0;        // expansions since something filled
+  double improve_until_ = 0;                                    // counted work
+  int after_best_ = 0;                                          // expansions since something filled
+  std::vector<std::vector<std::pair<int, Label>>> unfillable_;  // labels of some sites that together have failed to fill
+  std::vector<LabelState> unfilled_;                            // the best valid states that a quick look could not fill
   // Waiting states in two orders, expanded in turn: by `total`, and with defects dear and violations cheap: a valid
   // labelling that flattens a pocket is often further from a good one than an invalid one is.
   std::deque<LabelState> states_;

@@ -23,12 +23,14 @@ struct LabelOptions {
 
 /// Tells whether a combinatorially valid feature shape also fills (quantization + lattice): supplied by the pipeline,
 /// so that this room does not know the later ones. Returns the charts to blame in `charts` when it does not.
+/// Not `thorough`: a quick answer, at the size asked for only, is enough.
 struct FillOutcome {
   bool ok = false;
   std::string reason;
   std::vector<int> charts;
+  int rounds = 1;  ///< counted work: solve-and-fill rounds
 };
-using FillCheck = std::function<FillOutcome(const SurfaceMesh& mesh, const FeatureShape& shape)>;
+using FillCheck = std::function<FillOutcome(const SurfaceMesh& mesh, const FeatureShape& shape, bool thorough)>;
 
 struct LabelResult {
   LabelledSurface surface;

@@ -58,7 +58,7 @@ PaperLabelResult label_paper(const SurfaceMesh& mesh, const LabelOptions& option
     FeatureShape shape = make_feature_shape(trial);
     const std::size_t broken = check_paper_conditions(shape).size();
     ValidityReport validity = check_validity(shape, options.size);
-    const bool filled = validity.valid() && (!fill || fill(mesh, shape).ok);
+    const bool filled = validity.valid() && (!fill || fill(mesh, shape, true).ok);
     const std::tuple rank{!filled, !validity.valid(), broken, validity.cost};
     if (best.surface.label.empty() || rank < best_rank) {
       best_rank = rank;

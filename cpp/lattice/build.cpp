@@ -13,9 +13,10 @@ constexpr int kMostRounds = 25;
 Lattice fill_with_separation(const SurfaceMesh& mesh, const FeatureShape& shape, const std::vector<ChartOrder>& orders,
                              const QuantizeOptions& options, bool one_a_round, Context& context) {
   Lattice lattice;
+  const Quantizer quantizer(mesh, shape, orders, options);
   std::vector<Separation> separations;  // sorted
   for (int round = 1; round <= kMostRounds; ++round) {
-    lattice = fill_lattice(shape, quantize(mesh, shape, orders, options, separations, context), 1, context, separations);
+    lattice = fill_lattice(shape, quantizer.solve(separations, context), 1, context, separations);
     lattice.report.rounds = round;
     lattice.report.size = options.size;
     const auto& more = lattice.report.separations;
@@ -33,8 +34,9 @@ Lattice build_lattice(const SurfaceMesh& mesh, const FeatureShape& shape, const 
 }
 
 Lattice build_lattice(const SurfaceMesh& mesh, const FeatureShape& shape, const AxisRays& rays, const QuantizeOptions& options,
-                      Context& context) {
+                      Context& context, bool thorough) {
   Lattice first;
+  int rounds = 0;
   try {
     auto orders = chart_orders(mesh, shape, rays, options.size, context);
     auto all_orders = orders;
@@ -45,15 +47,20 @@ Lattice build_lattice(const SurfaceMesh& mesh, const FeatureShape& shape, const 
       finer.size = factor * options.size;
       for (const auto& [kept, one_a_round] :
            {std::make_pair(&orders, false), std::make_pair(&orders, true), std::make_pair(&all_orders, false)}) {
+        if (one_a_round && !thorough) continue;
         Lattice lattice = fill_with_separation(mesh, shape, *kept, finer, one_a_round, context);
+        rounds += lattice.report.rounds;
+        lattice.report.rounds = rounds;
         if (lattice.report.ok) return lattice;
         if (first.report.reason.empty()) first = std::move(lattice);
       }
+      if (!thorough) break;
     }
   } catch (const PolycubeError& error) {
     first.report.reason = error.reason;
     first.report.charts = error.charts;
   }
+  first.report.rounds = std::max(1, rounds);
   return first;  // the failure at the size that was asked for names its causes best
 }
 

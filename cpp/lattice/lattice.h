@@ -16,7 +16,7 @@ struct FillReport {
   std::string reason;
   std::vector<int> charts;              ///< to blame, sorted
   std::vector<Separation> separations;  ///< suggested order constraints, best shown by the part first
-  int rounds = 0;                       ///< build_lattice: solve-and-fill rounds that were needed
+  int rounds = 0;                       ///< build_lattice: solve-and-fill rounds, all attempts together
   double size = 0;                      ///< build_lattice: the element size that was used in the end
 };
 
@@ -35,11 +35,11 @@ Lattice fill_lattice(const FeatureShape& shape, const Polycube& polycube, int so
                      const std::vector<Separation>& tried = {});
 
 /// quantize + fill with lazy separation: solve, fill, separate what collides, again (<= 25 rounds); should that lead nowhere,
-/// anew with one separation a round; then with the charts' positions as orders; then the same with 0.7 h and 0.5 h. Never throws for a
-/// failed fill: the report says why.
+/// anew with one separation a round; then with the charts' positions as orders; then the same with 0.7 h and 0.5 h. Not `thorough`:
+/// only the first and the third of these. Never throws for a failed fill: the report says why.
 Lattice build_lattice(const SurfaceMesh& mesh, const FeatureShape& shape, const QuantizeOptions& options, Context& context);
 /// The same with rays sampled before: for a caller that tries many labels on one mesh.
 Lattice build_lattice(const SurfaceMesh& mesh, const FeatureShape& shape, const AxisRays& rays, const QuantizeOptions& options,
-                      Context& context);
+                      Context& context, bool thorough = true);
 
 }  // namespace hexfeature

@@ -35,10 +35,14 @@ LabelResult label(const SurfaceMesh& surface, const Geometry& geometry, const La
   options.fold_tolerance = effort.fold_tolerance;
   options.max_work = effort.max_work;
   AxisRayCache rays;  // the search tries many labels on few meshes
-  const FillCheck fill = [&](const SurfaceMesh& mesh, const FeatureShape& shape) -> FillOutcome {
+  const FillCheck fill = [&](const SurfaceMesh& mesh, const FeatureShape& shape, bool thorough) -> FillOutcome {
     const QuantizeOptions quantize = quantize_options(run.options);
-    const Lattice lattice = build_lattice(mesh, shape, rays.rays(mesh, ray_count(mesh, quantize), run.context), quantize, run.context);
-    return {lattice.report.ok, lattice.report.reason, lattice.report.charts};
+    const AxisRays& sampled = rays.rays(mesh, ray_count(mesh, quantize), run.context);
+    const FillReport report = build_lattice(mesh, shape, sampled, quantize, run.context, thorough).report;
+    if (!report.ok)
+      run.context.log("labels: does not fill after " + std::to_string(report.rounds) + " rounds: " + report.reason + ", charts " +
+                      std::to_string(report.charts.size()));
+    return {report.ok, report.reason, report.charts, report.rounds};
   };
   if (run.options.labels == "paper") {
     PaperLabelResult paper = label_paper(surface, options, fill, run.context);

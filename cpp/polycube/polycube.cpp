@@ -7,8 +7,6 @@
 #include <numeric>
 #include <string>
 
-#include "polycube/difference_lp.h"
-
 namespace hexfeature {
 namespace {
 
@@ -101,12 +99,12 @@ int wished_intervals(const SurfaceMesh& mesh, const Partition::Edge& edge, const
 }
 
 /// The unknowns of an arc's lower and upper end along its axis.
-std::pair<int, int> arc_ends(const FeatureShape& shape, const Classes& classes, int i) {
+std::pair<int, int> arc_ends(const FeatureShape& shape, const std::vector<std::array<int, 3>>& of_corner, int i) {
   const auto& arc = shape.arcs[i];
   const auto& edge = shape.cells.edges[i];
   if (arc.axis < 0 || arc.sign == 0 || edge.start < 0)
     throw PolycubeError("a feature line has no direction", shape, {edge.left, edge.right});
-  const int start = classes.of_corner[edge.start][arc.axis], end = classes.of_corner[edge.end][arc.axis];
+  const int start = of_corner[edge.start][arc.axis], end = of_corner[edge.end][arc.axis];
   return arc.sign > 0 ? std::make_pair(start, end) : std::make_pair(end, start);
 }
 
@@ -118,10 +116,8 @@ double interval_cost(double t, int d, double curvature) {
   return kShortCost * ((d - t) + curvature * (d - t) * (d - t) / std::max(1.0, t));
 }
 
-struct Terms {
-  std::vector<DifferenceTerm> list;
-  std::vector<int> arc;  // per term: the arc of a hard term, -1 otherwise (shorter than list: the rest is -1)
-};
+/// A length in element sizes.
+double target(double length, double size) { return std::clamp(length / size, -kLargestTarget, kLargestTarget) + kTieBreak; }
 
 }  // namespace
 
@@ -142,7 +138,7 @@ ForcedOrders::ForcedOrders(const FeatureShape& shape) {
   for (int c = 0; c < shape.chart_count(); ++c) of_chart_.push_back(base[axis_of(shape.charts[c].label)] + classes.of_chart[c]);
   std::vector<std::vector<int>> above(count_);
   for (int i = 0; i < shape.arc_count(); ++i) {
-    const auto [from, to] = arc_ends(shape, classes, i);
+    const auto [from, to] = arc_ends(shape, classes.of_corner, i);
     above[base[shape.arcs[i].axis] + from].push_back(base[shape.arcs[i].axis] + to);
   }
   reach_.assign(static_cast<std::size_t>(count_) * count_, false);
@@ -169,83 +165,96 @@ int ray_count(const SurfaceMesh& mesh, const QuantizeOptions& options) {
 Polycube quantize(const SurfaceMesh& mesh, const FeatureShape& shape, const QuantizeOptions& options,
                   const std::vector<Separation>& separations, Context& context) {
   const AxisRays rays = sample_axis_rays(mesh, ray_count(mesh, options), context);
-  return quantize(mesh, shape, chart_orders(mesh, shape, rays, options.size, context), options, separations, context);
+  return Quantizer(mesh, shape, chart_orders(mesh, shape, rays, options.size, context), options).solve(separations, context);
 }
 
-Polycube quantize(const SurfaceMesh& mesh, const FeatureShape& shape, const std::vector<ChartOrder>& orders, const QuantizeOptions& options,
-                  const std::vector<Separation>& separations, Context& context) {
-  const double h = options.size;
-  if (!(h > 0) || !std::isfinite(h)) throw MeshingError(Failure::Usage, "polycube", "the element size must be a positive number");
-  const auto target = [&](double length) { return std::clamp(length / h, -kLargestTarget, kLargestTarget) + kTieBreak; };
-  const Classes classes = merge_charts(shape);
-  const auto axis = [&](int chart) { return axis_of(shape.charts[chart].label); };
+Quantizer::Quantizer(const SurfaceMesh& mesh, const FeatureShape& shape, const std::vector<ChartOrder>& orders,
+                     const QuantizeOptions& options)
+    : shape_(shape), options_(options) {
+  if (!(options.size > 0) || !std::isfinite(options.size))
+    throw MeshingError(Failure::Usage, "polycube", "the element size must be a positive number");
+  Classes classes = merge_charts(shape);
+  unknown_ = std::move(classes.of_chart);
+  corner_unknowns_ = std::move(classes.of_corner);
+  count_ = classes.count;
+  add_arcs(mesh);
+  add_orders(orders);
+  add_positions();
+}
 
-  std::array<Terms, 3> terms;
+void Quantizer::add_arcs(const SurfaceMesh& mesh) {
   const auto sharp_degree = sharp_degrees(mesh);
-  for (int i = 0; i < shape.arc_count(); ++i) {
-    const auto& arc = shape.arcs[i];
-    const auto& edge = shape.cells.edges[i];
-    const auto [from, to] = arc_ends(shape, classes, i);
-    auto& list = terms[arc.axis].list;
-    terms[arc.axis].arc.resize(list.size(), -1);
-    terms[arc.axis].arc.push_back(i);
-    list.push_back({from, to, options.minimum_intervals, kHardTerm});
+  const int minimum = options_.minimum_intervals;
+  for (int i = 0; i < shape_.arc_count(); ++i) {
+    const auto& arc = shape_.arcs[i];
+    const auto [from, to] = arc_ends(shape_, corner_unknowns_, i);
+    auto& list = terms_[arc.axis];
+    term_arc_[arc.axis].resize(list.size(), -1);
+    term_arc_[arc.axis].push_back(i);
+    list.push_back({from, to, minimum, kHardTerm});
     if (from == to) continue;
-    const double t = target(arc.length);
-    add_convex_terms(list, from, to, t, std::max(1, options.minimum_intervals),
-                     [&](int d) { return interval_cost(t, d, options.arc_curvature); });
-    const int wished = wished_intervals(mesh, edge, sharp_degree, options.largest_sag * h);
-    if (wished > options.minimum_intervals) list.push_back({from, to, wished, std::llround(kTermScale * kIntervalWishCost)});
+    const double t = target(arc.length, options_.size);
+    add_convex_terms(list, from, to, t, std::max(1, minimum), [&](int d) { return interval_cost(t, d, options_.arc_curvature); });
+    const int wished = wished_intervals(mesh, shape_.cells.edges[i], sharp_degree, options_.largest_sag * options_.size);
+    if (wished > minimum) list.push_back({from, to, wished, std::llround(kTermScale * kIntervalWishCost)});
   }
+}
+
+void Quantizer::add_orders(const std::vector<ChartOrder>& orders) {
   for (const auto& order : orders) {
-    auto& list = terms[axis(order.low)].list;
-    const int from = classes.of_chart[order.low], to = classes.of_chart[order.high];
+    auto& list = terms_[axis(order.low)];
+    const int from = unknown_[order.low], to = unknown_[order.high];
     if (from == to) continue;
     const double cost = kOrderCost + (kOrderCostMany - kOrderCost) * std::min(1.0, order.count / 8.0);
     const double lines = kLineCost * order.lines,
                  gap_cost = kGapCost * std::min(1.0, order.count / 4.0) + lines / (1 + lines / kLineCostMost);
     list.push_back({from, to, 1, std::llround(kTermScale * cost)});
     if (order.pieces > 1) list.push_back({from, to, order.pieces, std::llround(kTermScale * kPiecesCost)});
-    const double t = target(order.gap);
+    const double t = target(order.gap, options_.size);
     add_convex_terms(list, from, to, t, 1, [&](int d) { return gap_cost * interval_cost(t, d, 0); });
   }
-  for (const auto& s : separations)
-    terms[axis(s.low)].list.push_back(
-        {classes.of_chart[s.low], classes.of_chart[s.high], s.gap, std::llround(kTermScale * kSeparationCost)});
-  for (int c = 0; c < shape.chart_count(); ++c) {
-    const auto& chart = shape.charts[c];
-    const double weight = kPositionCost + (kPositionCostLarge - kPositionCost) * std::min(1.0, chart.area / (4 * h * h));
-    const int origin = classes.count[axis(c)];
-    const double t = target(chart.centroid[axis(c)]);
-    add_convex_terms(terms[axis(c)].list, origin, classes.of_chart[c], t, kNoMinimum, [&](int d) { return weight * std::abs(d - t); });
-  }
+}
 
+void Quantizer::add_positions() {
+  const double h = options_.size;
+  for (int c = 0; c < shape_.chart_count(); ++c) {
+    const auto& chart = shape_.charts[c];
+    const double weight = kPositionCost + (kPositionCostLarge - kPositionCost) * std::min(1.0, chart.area / (4 * h * h));
+    const double t = target(chart.centroid[axis(c)], h);
+    add_convex_terms(terms_[axis(c)], count_[axis(c)], unknown_[c], t, kNoMinimum, [&](int d) { return weight * std::abs(d - t); });
+  }
+}
+
+Polycube Quantizer::solve(const std::vector<Separation>& separations, Context& context) const {
+  std::array<std::vector<DifferenceTerm>, 3> terms = terms_;
+  for (const auto& s : separations)
+    terms[axis(s.low)].push_back({unknown_[s.low], unknown_[s.high], s.gap, std::llround(kTermScale * kSeparationCost)});
   Polycube polycube;
   std::array<std::vector<int>, 3> u;
   for (int a = 0; a < 3; ++a) {
     context.check();
-    auto solution = solve_differences(classes.count[a] + 1, terms[a].list);
+    auto solution = solve_differences(count_[a] + 1, terms[a]);
     if (!solution.cycle.empty()) {
       std::vector<int> charts;
       for (int t : solution.cycle) {
-        const auto& edge = shape.cells.edges[terms[a].arc[t]];
+        const auto& edge = shape_.cells.edges[term_arc_[a][t]];
         charts.push_back(edge.left);
         charts.push_back(edge.right);
       }
-      throw PolycubeError(std::string("the feature lines along the ") + "XYZ"[a] + " axis run in a circle", shape, std::move(charts));
+      throw PolycubeError(std::string("the feature lines along the ") + "XYZ"[a] + " axis run in a circle", shape_, std::move(charts));
     }
     u[a] = std::move(solution.x);
-    if (classes.count[a] == 0) continue;
-    const int least = *std::min_element(u[a].begin(), u[a].begin() + classes.count[a]);
+    if (count_[a] == 0) continue;
+    const int least = *std::min_element(u[a].begin(), u[a].begin() + count_[a]);
     for (int& x : u[a]) x -= least;
   }
-  for (int c = 0; c < shape.chart_count(); ++c) polycube.coordinate.push_back(u[axis(c)][classes.of_chart[c]]);
-  for (const auto& corner : classes.of_corner) polycube.corners.push_back({u[0][corner[0]], u[1][corner[1]], u[2][corner[2]]});
-  for (int i = 0; i < shape.arc_count(); ++i) {
-    const auto& edge = shape.cells.edges[i];
-    const int a = shape.arcs[i].axis;
+  for (int c = 0; c < shape_.chart_count(); ++c) polycube.coordinate.push_back(u[axis(c)][unknown_[c]]);
+  for (const auto& corner : corner_unknowns_) polycube.corners.push_back({u[0][corner[0]], u[1][corner[1]], u[2][corner[2]]});
+  for (int i = 0; i < shape_.arc_count(); ++i) {
+    const auto& edge = shape_.cells.edges[i];
+    const int a = shape_.arcs[i].axis;
     const int intervals = std::abs(polycube.corners[edge.end][a] - polycube.corners[edge.start][a]);
-    polycube.length_error += std::abs(intervals - shape.arcs[i].length / h) / shape.arc_count();
+    polycube.length_error += std::abs(intervals - shape_.arcs[i].length / options_.size) / shape_.arc_count();
   }
   return polycube;
 }

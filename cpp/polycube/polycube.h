@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/context.h"
+#include "polycube/difference_lp.h"
 #include "polycube/orders.h"
 #include "shape/feature_shape.h"
 
@@ -44,10 +45,30 @@ struct PolycubeError : MeshingError {
 /// Integer coordinates as three difference-constraint LPs solved exactly by network simplex (design 3.5, experiments A8).
 /// Hard: delta u >= minimum_intervals along every arc's sign; charts of one axis that meet at a corner are equal.
 /// Soft: arc lengths; orders and gaps of `orders`; `separations` (dearer than anything but never infeasible); positions.
-/// Throws PolycubeError when constraints have a positive cycle, naming the CAD faces on it.
-Polycube quantize(const SurfaceMesh& mesh, const FeatureShape& shape, const std::vector<ChartOrder>& orders, const QuantizeOptions& options,
-                  const std::vector<Separation>& separations, Context& context);
-/// The same, sampling its own orders.
+/// Made once for a feature shape, then solved with more and more separations.
+class Quantizer {
+ public:
+  /// Throws PolycubeError when a corner or an arc has no direction, MeshingError(Usage) for a size that is no length.
+  Quantizer(const SurfaceMesh& mesh, const FeatureShape& shape, const std::vector<ChartOrder>& orders, const QuantizeOptions& options);
+  /// Throws PolycubeError when constraints have a positive cycle, naming the CAD faces on it.
+  Polycube solve(const std::vector<Separation>& separations, Context& context) const;
+
+ private:
+  int axis(int chart) const { return axis_of(shape_.charts[chart].label); }
+  void add_arcs(const SurfaceMesh& mesh);
+  void add_orders(const std::vector<ChartOrder>& orders);
+  void add_positions();
+
+  const FeatureShape& shape_;
+  QuantizeOptions options_;
+  std::vector<int> unknown_;                         // per chart, of its axis: charts of one axis that meet at corners share one
+  std::vector<std::array<int, 3>> corner_unknowns_;  // per corner and axis
+  std::array<int, 3> count_{0, 0, 0};                // unknowns per axis; one more is the origin
+  std::array<std::vector<DifferenceTerm>, 3> terms_;
+  std::array<std::vector<int>, 3> term_arc_;  // per term: the arc of a hard one, -1 otherwise (shorter than the terms: the rest is -1)
+};
+
+/// One solution, sampling its own orders.
 Polycube quantize(const SurfaceMesh& mesh, const FeatureShape& shape, const QuantizeOptions& options,
                   const std::vector<Separation>& separations, Context& context);
 

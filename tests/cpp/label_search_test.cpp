@@ -94,7 +94,7 @@ TEST_CASE("aligned parts keep their own labels") {
     options.size = 0.5;
     Context context;
     int fills = 0;
-    const FillCheck fill = [&](const SurfaceMesh&, const FeatureShape&) {
+    const FillCheck fill = [&](const SurfaceMesh&, const FeatureShape&, bool) {
       ++fills;
       return FillOutcome{true, {}, {}};
     };
@@ -113,7 +113,7 @@ TEST_CASE("a labelling that does not fill is given up for another, or returned a
   options.size = 0.5;
   options.max_expansions = 5;
   Context context;
-  const FillCheck never = [](const SurfaceMesh&, const FeatureShape& shape) {
+  const FillCheck never = [](const SurfaceMesh&, const FeatureShape& shape, bool) {
     FillOutcome outcome;
     for (int c = 0; c < shape.chart_count(); ++c) outcome.charts.push_back(c);
     return outcome;

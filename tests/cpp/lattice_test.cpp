@@ -133,8 +133,8 @@ TEST_CASE("a polycube that collides is refused, blamed, and separated") {
   REQUIRE(!lattice.report.separations.empty());
   for (const auto& s : lattice.report.separations) CHECK(shape.charts[s.low].centroid.x() < shape.charts[s.high].centroid.x());
   // What is suggested is enough, without any other order.
-  CHECK(
-      fill_lattice(shape, quantize(surface.mesh, shape, {}, QuantizeOptions(), lattice.report.separations, context), 1, context).report.ok);
+  const Polycube apart = Quantizer(surface.mesh, shape, {}, QuantizeOptions()).solve(lattice.report.separations, context);
+  CHECK(fill_lattice(shape, apart, 1, context).report.ok);
 }
 
 TEST_CASE("features thinner than half an element keep a layer of their own") {
