@@ -6,7 +6,7 @@ FREECAD := QT_QPA_PLATFORM=offscreen PYTHONPATH=/usr/lib/freecad-python3/lib:/us
 
 cpp_files = $(shell git ls-files 'cpp/*.cpp' 'cpp/*.h' 'tests/cpp/*.cpp' 'tests/cpp/*.h')
 
-.PHONY: help deps build demo gallery bench test test-cpp test-freecad test-python lint tidy format wheel clean
+.PHONY: help deps build demo gallery bench verification test test-cpp test-freecad test-python lint tidy format wheel clean
 .NOTPARALLEL:
 
 help:  ## this list
@@ -40,6 +40,11 @@ gallery: build  ## the documentation's pictures and docs/gallery.md
 
 bench: build  ## time and quality of the whole command on the project's own parts
 	$(PYTHON) benchmarks/own_parts.py out/parts
+
+verification: build  ## known solutions, loads and FreeCAD's own examples; writes docs/verification.md (about 20 minutes)
+	-$(PYTHON) benchmarks/verification/freecad_loads.py out/verification
+	-$(PYTHON) benchmarks/verification/freecad_examples.py out/verification
+	$(PYTHON) benchmarks/verification/run.py out/verification --page
 
 lint: deps  ## formatting and static checks
 	clang-format --dry-run --Werror $(cpp_files)
