@@ -7,7 +7,7 @@ FREECAD := QT_QPA_PLATFORM=offscreen PYTHONPATH=/usr/lib/freecad-python3/lib:/us
 
 cpp_files = $(shell git ls-files 'cpp/*.cpp' 'cpp/*.h' 'tests/cpp/*.cpp' 'tests/cpp/*.h' 'tests/fuzz/*.cpp')
 
-.PHONY: help deps build demo gallery bench test test-cpp test-freecad test-python test-gui gui-pictures translations lint tidy format wheel bundled-wheel clean fuzz
+.PHONY: help deps build demo gallery bench test test-cpp test-freecad test-python test-gui gui-pictures translations lint tidy format wheel bundled-wheel clean fuzz verification
 .NOTPARALLEL:
 
 help:  ## this list
@@ -58,6 +58,10 @@ fuzz:  ## libFuzzer on the readers and the options, FUZZ_SECONDS each (60); new 
 	cmake --preset fuzz >/dev/null
 	cmake --build build-fuzz --target triangles_fuzz brep_fuzz step_fuzz options_fuzz
 	tests/fuzz/run.sh $(FUZZ_SECONDS)
+verification: build  ## known solutions, loads and FreeCAD's own examples; writes docs/verification.md (about 20 minutes)
+	-$(PYTHON) benchmarks/verification/freecad_loads.py out/verification
+	-$(PYTHON) benchmarks/verification/freecad_examples.py out/verification
+	$(PYTHON) benchmarks/verification/run.py out/verification --page
 
 lint: deps  ## formatting and static checks
 	clang-format --dry-run --Werror $(cpp_files)

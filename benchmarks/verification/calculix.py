@@ -33,7 +33,7 @@ def run(path, threads=2):
     seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
     stem = os.path.splitext(path)[0]
     dat = open(stem + ".dat").read() if os.path.exists(stem + ".dat") else ""
-    return Solution(read_frd(stem + ".frd") if os.path.exists(stem + ".frd") else {}, _frequencies(dat), _totals(dat), seconds)
+    return Solution(read_frd(stem + ".frd") if os.path.exists(stem + ".frd") else {}, frequencies(dat), _totals(dat), seconds)
 
 
 def read_frd(path):
@@ -63,7 +63,7 @@ def read_frd(path):
     return fields
 
 
-def _frequencies(dat):
+def frequencies(dat):
     """Natural frequencies in cycles a time unit."""
     at = dat.find("E I G E N V A L U E   O U T P U T")
     if at < 0:

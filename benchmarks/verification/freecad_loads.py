@@ -18,19 +18,25 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 sys.path[:0] = [str(HERE), str(ROOT / "python"), str(ROOT / "tests" / "parts")]
-sys.path += ["/usr/lib/freecad-python3/lib", "/usr/lib/freecad/lib", "/usr/lib/freecad/Mod", "/usr/lib/freecad/Mod/Fem"]
+sys.path += ["/usr/lib/freecad" + folder for folder in ("-python3/lib", "/lib", "/Mod", "/Mod/Fem", "/Ext")]
 import FreeCAD  # noqa: E402
 import Part  # noqa: E402
 
+import numpy as np  # noqa: E402
+
+import calculix  # noqa: E402
 import HexFeatureWB  # noqa: E402
+from deck import Deck  # noqa: E402
 from HexFeatureWB import analysis  # noqa: E402
 import make_parts  # noqa: E402
 
 V = FreeCAD.Vector
 DENSITY, GRAVITY, TURNS = 7900e-12, 9806.65, 50.0  # t/mm3, mm/s2, 1/s
 LIMIT = 1e-3
+#: A force on a face: FreeCAD shares it by the area of flat triangles, and divides by the CAD face's: a disc's polygon is less.
+LIMIT_OF_FORCE = 5e-3
 #: coarser than for stresses: equilibrium does not depend on it
-COARSER = 1.4
+COARSER = {"flange": 1.4, "pipe_tee": 1.6, "crank_shaft": 1.6, "shaft": 1.4, "plate_with_holes": 1.4}
 
 
 class Case:
@@ -68,7 +74,7 @@ class Case:
         try:
             return self._run(study, solver, os.path.join(self.folder, tag))
         finally:
-            for member in [m for m in study.Group if m is not self.mesh]:
+            for member in [m for m in study.Group if m.Name != self.mesh.Name]:
                 document.removeObject(member.Name)
             study.Group = []
             document.removeObject(study.Name)
@@ -95,9 +101,9 @@ class Case:
         return self._read(os.path.splitext(path)[0])
 
     def _read(self, stem):
-        import calculix
-
-        nodes, force, moment = self.mesh.FemMesh.Nodes, V(), V()
+        """CalculiX's reaction at a held node lacks the load put on that very node, so this is added from the deck."""
+        found = Deck(stem + ".inp", DENSITY)
+        force, moment = V(), V()
         inside, seen = False, set()
         for line in Path(stem + ".dat").read_text().splitlines():
             if "force" in line:
@@ -105,19 +111,20 @@ class Case:
             row = line.split()
             if inside and len(row) == 4 and row[0].isdigit() and row[0] not in seen:
                 seen.add(row[0])
-                f = V(*map(float, row[1:]))
+                node = int(row[0]) - 1
+                f = V(*map(float, row[1:])) - V(*found.external[node])
                 force += f
-                moment += nodes[int(row[0])].cross(f)
+                moment += V(*found.points[node]).cross(f)
         if not seen:
             raise RuntimeError("no reaction forces in " + stem + ".dat")
         u = calculix.read_frd(stem + ".frd")["U"]
-        return force, moment, float(max((u[n][0] ** 2 + u[n][1] ** 2 + u[n][2] ** 2) ** 0.5 for n in range(len(u)) if u[n][0] == u[n][0]))
+        return force, moment, float(np.nanmax(np.linalg.norm(u, axis=1)))
 
     def close(self):
         FreeCAD.closeDocument(self.document.Name)
 
 
-def pressure_of(face, reversed_face=False):
+def pressure_of(face):
     """Force and moment of a unit pressure on a face: the vector area depends on the border only, so triangles do."""
     points, triangles = face.tessellate(0.002)
     force, moment = V(), V()
@@ -154,7 +161,9 @@ def constraints_of(case):
         force = V(c.DirectionVector) * 1000.0
         yield name, [c], force, case.faces[face].CenterOfMass.cross(force)
     centre = case.faces[case.fixed].CenterOfMass
-    straight = [n for n, e in enumerate(shape.Edges) if isinstance(e.Curve, (Part.Line, Part.LineSegment)) and e.Length > 1e-6]
+    # Not a cylinder's seam, which is no edge of the part: no mesh edge follows it, and FreeCAD would find no node there.
+    straight = [n for n, e in enumerate(shape.Edges) if isinstance(e.Curve, (Part.Line, Part.LineSegment))
+                and not any(e.isSeam(f) for f in shape.ancestorsOfType(e, Part.Face))]
     if straight:
         edge = max(straight, key=lambda n: (shape.Edges[n].CenterOfMass - centre).Length)
         c = ObjectsFem.makeConstraintForce(document, "Load")
@@ -205,7 +214,7 @@ def check(name, out):
     make, size = make_parts.PARTS[name]
     shape = make()
     shape = shape.Solids[0] if shape.ShapeType != "Solid" else shape
-    rows, case = [], Case(shape, COARSER * size, os.path.join(out, name))
+    rows, case = [], Case(shape, COARSER.get(name, 1.2) * size, os.path.join(out, name))
     diagonal = shape.BoundBox.DiagonalLength
     for kind, constraints, force, moment in constraints_of(case):
         found, turned, farthest = case.solve(re.sub(r"\W", "_", kind), *constraints)
@@ -217,8 +226,6 @@ def check(name, out):
         rows.append(row)
         print("%-18s %-36s %10.3f  force off by %.1e  moment %s" % (
             name, kind, force.Length, row["force_error"], "-" if moment is None else "%.1e" % row["moment_error"]), flush=True)
-        for c in constraints:
-            case.document.removeObject(c.Name)
     case.close()
     first = rows[0]["displacement"]
     mirrored = shape.mirror(V(), V(1, 0, 0))
@@ -226,7 +233,7 @@ def check(name, out):
     moved.Placement = FreeCAD.Placement(V(7, -3, 11), FreeCAD.Rotation(17, 31, 8)).multiply(moved.Placement)
     for kind, copy in (("mirrored", mirrored), ("moved", moved)):
         copy = copy.Solids[0] if copy.ShapeType != "Solid" else copy
-        case = Case(copy, COARSER * size, os.path.join(out, name))
+        case = Case(copy, COARSER.get(name, 1.2) * size, os.path.join(out, name))
         kind_of, constraints, force, _ = next(constraints_of(case))
         _, _, farthest = case.solve(kind, *constraints)
         rows.append({"part": name, "kind": kind, "displacement_change": abs(farthest / first - 1)})
@@ -247,11 +254,13 @@ def main(out, names):
     rows = []
     for name in names or [n for n in make_parts.PARTS if n != "sphere"]:  # a sphere's one face cannot be fixed and loaded
         rows += check(name, os.path.join(out, "loads"))
-    Path(out, "loads.json").write_text(json.dumps(rows, indent=1))
-    worst = max(max(r.get("force_error", 0), r.get("moment_error") or 0) for r in rows)
-    changed = max(r.get("displacement_change", 0) for r in rows)
-    print("largest error of a reaction %.1e, of its moment too; a mirrored or moved part differs by %.1e at most" % (worst, changed))
-    return 0 if worst <= LIMIT else 1
+        Path(out, "loads.json").write_text(json.dumps(rows, indent=1))
+    worst = {kind: max(max(r["force_error"], r["moment_error"] or 0) for r in rows if r["kind"] == kind)
+             for kind in dict.fromkeys(r["kind"] for r in rows if "force_error" in r)}
+    for kind, error in worst.items():
+        print("%-36s reaction and moment off by %.1e at most" % (kind, error))
+    print("a mirrored or moved part's displacement differs by %.1e at most" % max(r.get("displacement_change", 0) for r in rows))
+    return int(any(error > (LIMIT_OF_FORCE if kind.startswith("force on a") else LIMIT) for kind, error in worst.items()))
 
 
 if __name__ == "__main__":

@@ -49,7 +49,7 @@ class Model:
         """
         sides = self.sides[self.faces_by_name[name]]
         forces = np.zeros_like(self.points)
-        for shape, slope_r, slope_s, weight in _face_rule(sides.shape[1]):
+        for shape, slope_r, slope_s, weight in face_rule(sides.shape[1]):
             x = np.einsum("n,fnc->fc", shape, self.points[sides])
             tangent_r = np.einsum("n,fnc->fc", slope_r, self.points[sides])
             tangent_s = np.einsum("n,fnc->fc", slope_s, self.points[sides])
@@ -59,7 +59,7 @@ class Model:
         return forces
 
 
-def _face_rule(count):
+def face_rule(count):
     """[(shape functions, slopes along r, along s, weight)] at the integration points of a face of 4, 8 or 6 nodes."""
     if count == 6:
         points = [(1 / 6, 1 / 6), (2 / 3, 1 / 6), (1 / 6, 2 / 3)]  # of degree 2, enough for a shape function times a constant

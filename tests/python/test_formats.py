@@ -159,3 +159,124 @@ def test_a_missing_package_is_said(box_mesh, tmp_path, monkeypatch):
     with pytest.raises(MeshingError) as caught:
         box_mesh.write(tmp_path / "box.vtu")
     assert caught.value.kind == "output" and "meshio" in caught.value.reason and not list(tmp_path.iterdir())
+
+
+GMSH_READ = """
+import json, sys
+import gmsh
+gmsh.initialize([], False)
+gmsh.option.setNumber("General.Terminal", 0)
+gmsh.logger.start()
+gmsh.open(sys.argv[1])
+groups = {gmsh.model.getPhysicalName(*g): len(gmsh.model.mesh.getNodesForPhysicalGroup(*g)[0]) for g in gmsh.model.getPhysicalGroups()}
+counts = {}
+for dimension in (2, 3):
+    for kind, elements, nodes in zip(*gmsh.model.mesh.getElements(dimension)):
+        name = gmsh.model.mesh.getElementProperties(kind)[0]
+        counts[name] = counts.get(name, 0) + len(elements)
+volume, least = 0, 1e9
+kind = gmsh.model.mesh.getElementTypes(3)[0]
+points, weights = gmsh.model.mesh.getIntegrationPoints(kind, "Gauss6")
+_, determinants, _ = gmsh.model.mesh.getJacobians(kind, points)
+for k, determinant in enumerate(determinants):
+    volume += determinant * weights[k % len(weights)]
+print(json.dumps({"groups": groups, "counts": counts, "volume": volume, "least": min(determinants),
+                  "said": [line for line in gmsh.logger.get() if not line.startswith("Info")]}))
+gmsh.finalize()
+"""
+
+
+def test_gmsh_reads_it_without_a_warning(mesh, tmp_path):
+    """Node order proved by the volume and by a positive determinant everywhere, as Gmsh computes them."""
+    mesh.write(tmp_path / "box.msh")
+    done = subprocess.run(["/usr/bin/python3", "-c", GMSH_READ, str(tmp_path / "box.msh")], capture_output=True, text=True)
+    if "No module named 'gmsh'" in done.stderr:
+        pytest.skip("Gmsh is not installed")
+    back = json.loads(done.stdout.strip().splitlines()[-1])
+    assert back["said"] == [] and done.stderr == ""
+    names = ("Hexahedron 8", "Quadrilateral 4") if mesh.order == 1 else ("Hexahedron 20", "Quadrilateral 8")
+    assert back["counts"] == dict(zip(names, (len(mesh.hexes), len(mesh.quads))))
+    assert back["volume"] == pytest.approx(40 * 20 * 10) and back["least"] > 0
+    for face in range(1, 7):
+        assert back["groups"][f"Face{face}"] == len(nodes_on_face(mesh, face))
+    assert back["groups"]["Solid1"] == len(mesh.points)
+
+
+@pytest.fixture(scope="module")
+def curved_mesh(parts):
+    """A drilled plate of 20-node hexahedra: mid-side nodes off the chords, so that their order matters to the volume."""
+    import hexfeature
+
+    return hexfeature.mesh(parts / "plate.step", size=6, order=2)
+
+
+@pytest.mark.parametrize("ending", ["vtk", "vtu"])
+def test_vtk_measures_the_volume_of_curved_elements(curved_mesh, tmp_path, ending):
+    pytest.importorskip("vtkmodules")
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
+    if ending == "vtk":
+        from vtkmodules.vtkIOLegacy import vtkUnstructuredGridReader as Reader
+    else:
+        from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader as Reader
+    curved_mesh.write(tmp_path / f"plate.{ending}")
+    reader = Reader()
+    reader.SetFileName(str(tmp_path / f"plate.{ending}"))
+    sizes = vtkCellSizeFilter()
+    sizes.SetInputConnection(reader.GetOutputPort())
+    sizes.Update()
+    volume = vtk_to_numpy(sizes.GetOutput().GetCellData().GetArray("Volume")).sum()
+    # VTK cuts each element into tetrahedra through its mid-side nodes: a little less than the true volume.
+    assert volume == pytest.approx(40 * 40 * 10 - np.pi * 64 * 10, rel=5e-3)
+
+
+@pytest.mark.skipif(not shutil.which("ccx"), reason="CalculiX is not installed")
+@pytest.mark.parametrize("kind", ["C3D8", "C3D8I", "C3D8R", "C3D20", "C3D20R"])
+def test_calculix_solves_every_element_type_without_a_warning(parts, curved_mesh, tmp_path, kind):
+    """The file on its own command's option; self-weight on one face: the reaction is the CAD's weight, with no warning."""
+    import hexfeature
+
+    mesh = curved_mesh if kind.startswith("C3D20") else hexfeature.mesh(parts / "plate.step", size=6)
+    mesh.write(tmp_path / "plate.inp", element_type=kind)
+    assert f"TYPE={kind}," in (tmp_path / "plate.inp").read_text()
+    x = mesh.points[:, 0]
+    fixed = next(f for f in range(1, 8) if np.ptp(x[sorted(nodes_on_face(mesh, f))]) < 1e-9)
+    (tmp_path / "run.inp").write_text(f"""*INCLUDE, INPUT=plate.inp
+*MATERIAL, NAME=STEEL
+*ELASTIC
+210000, 0.3
+*DENSITY
+1
+*SOLID SECTION, ELSET=Solid1, MATERIAL=STEEL
+*BOUNDARY
+Face{fixed}, 1, 3
+*STEP
+*STATIC
+*DLOAD
+Solid1, GRAV, 1, 0, 0, -1
+*EL PRINT, ELSET=Solid1, TOTALS=ONLY
+EVOL
+*END STEP
+""")
+    done = subprocess.run(["ccx", "run"], cwd=tmp_path, capture_output=True, text=True)
+    assert "Job finished" in done.stdout and "*WARNING" not in done.stdout and "*ERROR" not in done.stdout, done.stdout[-2000:]
+    volume = float((tmp_path / "run.dat").read_text().split()[-1])
+    assert volume == pytest.approx(40 * 40 * 10 - np.pi * 64 * 10, rel=3e-4 if mesh.order == 2 else 2e-2)
+
+
+def test_mid_side_nodes_lie_on_the_cad(curved_mesh):
+    second = curved_mesh.report["second_order"]
+    assert second["largest_mid_side_deviation"] < 1e-8 and second["straightened_nodes"] == second["straightened_faces"] == []
+    assert second["proved_positive"] and 0 < second["least_jacobian"] <= 1
+    on_hole = curved_mesh.quads8[[f for f, face in enumerate(curved_mesh.quad_face) if face == hole_of(curved_mesh)]]
+    p = curved_mesh.points[np.unique(on_hole)]
+    assert np.abs(np.hypot(p[:, 0] - 20, p[:, 1] - 20) - 8).max() < 1e-8
+
+
+def hole_of(mesh):
+    """The face whose nodes are all 8 from the plate's axis."""
+    for face in range(1, 8):
+        p = mesh.points[sorted(nodes_on_face(mesh, face))]
+        if np.abs(np.hypot(p[:, 0] - 20, p[:, 1] - 20) - 8).max() < 0.5:
+            return face
+    raise AssertionError("no hole")
