@@ -17,8 +17,10 @@ struct Worth {
   double min_sj = 0, mean_sj = 0;
 
   bool sound() const { return min_sj >= 0.2; }
-  /// Nothing that another method or proposal could be expected to do better.
+  /// Nothing that another proposal could be expected to do better.
   bool good() const { return faithful && sound(); }
+  /// Not worth the time of another method: those that follow make meshes of much lower quality on the whole.
+  bool sufficient() const { return faithful && min_sj >= 0.1; }
   bool better_than(const Worth& other) const;
 };
 

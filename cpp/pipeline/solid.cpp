@@ -72,7 +72,7 @@ HexComplex mesh_solid(Part& part, int solid, const std::vector<Mat3>& frames, Ru
         if (best) mark_others(best->method);
         best = std::move(candidate);
       }
-      if (best->worth.good()) break;
+      if (best->worth.sufficient()) break;
     } catch (const MeshingError& error) {
       const bool out_of_time = error.kind == Failure::Cancelled && budget.spent();
       if (error.kind != Failure::NoMesh && !out_of_time) throw;

@@ -105,8 +105,11 @@ std::string program_beside_library(const std::string& name) {
   if (dladdr(reinterpret_cast<const void*>(&run_child), &info) == 0 || info.dli_fname == nullptr) return name;
   char resolved[PATH_MAX];
   if (realpath(info.dli_fname, resolved) == nullptr) return name;
-  const std::string path = resolved;
-  return path.substr(0, path.find_last_of('/') + 1) + name;
+  const std::string path = resolved, folder = path.substr(0, path.find_last_of('/') + 1);
+  // In the build tree the tests' executables lie two folders above the package.
+  for (const char* package : {"", "python/hexfeature/"})
+    if (access((folder + package + name).c_str(), X_OK) == 0) return folder + package + name;
+  return folder + name;
 }
 
 }  // namespace hexfeature
