@@ -2,7 +2,9 @@
 #include "pipeline/faithfulness.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "mesh/triangle_tree.h"
 
@@ -53,11 +55,57 @@ std::vector<double> gaps(const HexComplex& mesh, const SurfaceMesh& surface, con
   return gap;
 }
 
+/// The mesh edges between the quads of two CAD faces.
+class BorderSegments {
+ public:
+  explicit BorderSegments(const HexComplex& mesh) {
+    struct Side {
+      std::array<int, 2> edge;
+      int face;
+    };
+    std::vector<Side> sides;
+    for (std::size_t q = 0; q < mesh.quads.size(); ++q)
+      for (int k = 0; k < 4; ++k) {
+        const int a = mesh.quads[q][k], b = mesh.quads[q][(k + 1) % 4];
+        sides.push_back({{std::min(a, b), std::max(a, b)}, mesh.quad_face[q]});
+      }
+    std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) { return x.edge != y.edge ? x.edge < y.edge : x.face < y.face; });
+    for (std::size_t i = 0; i + 1 < sides.size(); ++i)
+      if (sides[i].edge == sides[i + 1].edge && sides[i].face != sides[i + 1].face)
+        segments_.push_back({{sides[i].face, sides[i + 1].face}, sides[i].edge});
+    std::sort(segments_.begin(), segments_.end());
+  }
+
+  /// Fraction of a CAD edge that has a mesh edge between its two faces within a quarter of an element.
+  double follow(const HexComplex& mesh, const Geometry& geometry, int id, double size) const {
+    constexpr int kSamples = 40;
+    constexpr double kNear = 0.25;
+    const CadEdge& edge = geometry.edge(id);
+    const std::array<int, 2> faces{std::min(edge.faces[0], edge.faces[1]), std::max(edge.faces[0], edge.faces[1])};
+    const auto begin = std::lower_bound(segments_.begin(), segments_.end(), Segment{faces, {-1, -1}});
+    int near = 0;
+    for (int i = 0; i < kSamples; ++i) {
+      const Vec3 p = geometry.projector->edge_point(id, edge.t0 + (edge.t1 - edge.t0) * i / (kSamples - 1)).point;
+      for (auto s = begin; s != segments_.end() && s->first == faces; ++s) {
+        const Vec3& a = mesh.points[s->second[0]];
+        const Vec3 e = mesh.points[s->second[1]] - a;
+        const double t = std::clamp((p - a).dot(e) / std::max(e.squaredNorm(), 1e-300), 0.0, 1.0);
+        if ((a + t * e - p).norm() > kNear * size) continue;
+        ++near;
+        break;
+      }
+    }
+    return static_cast<double>(near) / kSamples;
+  }
+
+ private:
+  using Segment = std::pair<std::array<int, 2>, std::array<int, 2>>;  ///< faces, nodes
+  std::vector<Segment> segments_;
+};
+
 }  // namespace
 
 Faithfulness measure_faithfulness(const HexComplex& mesh, const Geometry& geometry, int solid, const SurfaceMesh* surface, double size) {
-  // Chords are shorter than the curve: a full circle followed by four edges keeps 90% of its length.
-  constexpr double kCovered = 0.85;
   Faithfulness result;
   const int faces = static_cast<int>(geometry.faces->size()), edges = static_cast<int>(geometry.edges->size());
   const auto of_solid = [&](int face) { return face > 0 && (solid == 0 || geometry.face(face).solid == solid); };
@@ -68,19 +116,15 @@ Faithfulness measure_faithfulness(const HexComplex& mesh, const Geometry& geomet
   for (int f = 1; f <= faces; ++f)
     if (of_solid(f) && !has_quads[f]) result.faces_without_quads.push_back(f);
 
-  std::vector<double> covered(edges + 1, 0);
-  for (std::size_t i = 0; i < mesh.feature_edges.size(); ++i) {
-    const auto& e = mesh.feature_edges[i];
-    covered[mesh.feature_edge_cad[i]] += (mesh.points[e[1]] - mesh.points[e[0]]).norm();
-  }
+  const BorderSegments borders(mesh);
   double total = 0, lost = 0;
   for (int id = 1; id <= edges; ++id) {
     const CadEdge& edge = geometry.edge(id);
     if (!edge.sharp || edge.seam || edge.degenerate || !of_solid(edge.faces[0])) continue;
+    const double followed = borders.follow(mesh, geometry, id, size);
     total += edge.length;
-    if (covered[id] >= kCovered * edge.length) continue;
-    lost += edge.length;
-    result.sharp_edges_not_followed.push_back(id);
+    lost += (1 - followed) * edge.length;
+    if (followed < 0.9) result.sharp_edges_not_followed.push_back(id);
   }
   if (total > 0) result.lost_length = lost / total;
 
@@ -89,7 +133,8 @@ Faithfulness measure_faithfulness(const HexComplex& mesh, const Geometry& geomet
     if (place.dim == 0) has_node[place.entity] = 1;
   for (int id = 1; id <= static_cast<int>(geometry.vertices->size()); ++id) {
     const CadVertex& vertex = geometry.vertex(id);
-    if (!vertex.hard || has_node[id] || vertex.edges.empty() || !of_solid(geometry.edge(vertex.edges[0]).faces[0])) continue;
+    const auto sharp = std::count_if(vertex.edges.begin(), vertex.edges.end(), [&](int e) { return geometry.edge(e).sharp; });
+    if (sharp < 3 || has_node[id] || vertex.edges.empty() || !of_solid(geometry.edge(vertex.edges[0]).faces[0])) continue;
     // A neighbour may stand in for it: CAD edges much shorter than an element vanish.
     constexpr double kNear = 0.02;
     const bool near = std::any_of(mesh.quads.begin(), mesh.quads.end(), [&](const auto& quad) {
@@ -99,7 +144,7 @@ Faithfulness measure_faithfulness(const HexComplex& mesh, const Geometry& geomet
   }
 
   if (surface != nullptr) {
-    constexpr double kLargestGap = 0.5;
+    constexpr double kLargestGap = 0.6;  // the samples are dense: half an element and a little
     const std::vector<double> gap = gaps(mesh, *surface, geometry);
     for (int f = 1; f <= faces; ++f) {
       result.largest_gap = std::max(result.largest_gap, gap[f]);

@@ -12,12 +12,13 @@ namespace hexfeature {
 struct Faithfulness {
   std::vector<int> faces_without_quads;       ///< 1-based CAD faces of the solid
   std::vector<int> faces_not_covered;         ///< ... parts of which are farther than half an element from the face's own quads
-  std::vector<int> sharp_edges_not_followed;  ///< 1-based sharp CAD edges whose chain of mesh edges is missing or has gaps
-  std::vector<int> corners_lost;              ///< 1-based hard CAD vertices without a node
-  double lost_length = 0;                     ///< share of the sharp edges' length that those make up, 0..1
+  std::vector<int> sharp_edges_not_followed;  ///< 1-based sharp CAD edges, a tenth or more of which has no mesh edge between its faces near it
+  std::vector<int> corners_lost;              ///< 1-based CAD vertices where three or more sharp edges meet, without a node
+  double lost_length = 0;                     ///< share of the sharp edges' length that no mesh edge follows, 0..1
   double largest_gap = 0;                     ///< longest distance from a point of a CAD face to the face's own quads
+  /// Nothing lost but a hundredth of the sharp edges (tips that no element can follow).
   bool complete() const {
-    return faces_without_quads.empty() && faces_not_covered.empty() && sharp_edges_not_followed.empty() && corners_lost.empty();
+    return faces_without_quads.empty() && faces_not_covered.empty() && lost_length <= 0.01 && corners_lost.empty();
   }
 };
 

@@ -32,7 +32,7 @@ Worth worth_of(const HexComplex& mesh, const SmoothReport& smoothing, const Soli
     for (int id : ids) text += " " + std::to_string(id);
     return ids.empty() ? " none" : text;
   };
-  task.run.context.log("CAD faces without quads:" + list(kept.faces_without_quads) + "; not covered:" + list(kept.faces_not_covered) +
+  task.run.context.log("CAD faces without quads:" + list(kept.faces_without_quads) + "; not covered:" + list(kept.faces_not_covered) + " (largest gap " + std::to_string(kept.largest_gap) + ")" +
                        "; sharp edges not followed:" + list(kept.sharp_edges_not_followed) + "; corners lost:" + list(kept.corners_lost));
   return worth;
 }

@@ -91,9 +91,12 @@ HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const
       if (attempt == 0) {
         field.refine(bad_places(mesh, options.good_enough), kFiner);
       } else {
-        if (attempt == 1 && report.smoothing.min_sj < kTipsForbid)
-          context.log("tet-split: " + std::to_string(fine.cut_tips(kTipWidth * h, kTipLength * h, context)) + " tips cut");
-        field = base.scaled(std::pow(kOtherwise, attempt - 1));
+        int finer = attempt;
+        if (report.smoothing.min_sj < kTipsForbid) {
+          if (attempt == 1) context.log("tet-split: " + std::to_string(fine.cut_tips(kTipWidth * h, kTipLength * h, context)) + " tips cut");
+          --finer;
+        }
+        field = base.scaled(std::pow(kOtherwise, finer));
       }
     } catch (const MeshingError& error) {
       if (error.kind != Failure::NoMesh) throw;
