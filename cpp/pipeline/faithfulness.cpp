@@ -22,7 +22,8 @@ std::vector<char> telling_points(const SurfaceMesh& surface, const Geometry& geo
     if (place.dim == 2) telling[v] = geometry.face(place.entity).kind != SurfaceKind::Plane;
     if (place.dim != 1) continue;
     const CadEdge& edge = geometry.edge(place.entity);
-    const Vec3 chord = geometry.projector->edge_point(place.entity, edge.t1).point - geometry.projector->edge_point(place.entity, edge.t0).point;
+    const Vec3 chord =
+        geometry.projector->edge_point(place.entity, edge.t1).point - geometry.projector->edge_point(place.entity, edge.t0).point;
     telling[v] = edge.length - chord.norm() > 1e-6 * edge.length;
   }
   return telling;
@@ -69,7 +70,8 @@ class BorderSegments {
         const int a = mesh.quads[q][k], b = mesh.quads[q][(k + 1) % 4];
         sides.push_back({{std::min(a, b), std::max(a, b)}, mesh.quad_face[q]});
       }
-    std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) { return x.edge != y.edge ? x.edge < y.edge : x.face < y.face; });
+    std::sort(sides.begin(), sides.end(),
+              [](const Side& x, const Side& y) { return x.edge != y.edge ? x.edge < y.edge : x.face < y.face; });
     for (std::size_t i = 0; i + 1 < sides.size(); ++i)
       if (sides[i].edge == sides[i + 1].edge && sides[i].face != sides[i + 1].face)
         segments_.push_back({{sides[i].face, sides[i + 1].face}, sides[i].edge});

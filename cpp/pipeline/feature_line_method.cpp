@@ -11,6 +11,9 @@ namespace {
 /// A certified but poor mesh of more elements than this is not tried again: the second look would cost as much as the first.
 constexpr int kSecondLook = 10000;
 
+/// With another method to come, a mesh of more elements than this that could not be untangled is not tried in another way.
+constexpr int kUntangleOnce = 5000;
+
 struct Proposal {
   int frame = 0;
   LabelEffort effort;
@@ -48,6 +51,7 @@ Candidate mesh_by_feature_line(const SolidTask& task) {
     attempt.frame = proposal.frame;
     const auto start = Context::Clock::now();
     const bool second_chance = best.has_value();
+    bool hopeless = false;
     try {
       if (proposal.frame != frame) {
         if (best) break;  // a poor mesh is tried again in its own frame only
@@ -86,8 +90,10 @@ Candidate mesh_by_feature_line(const SolidTask& task) {
       run.context.log("feature-line, proposal " + std::to_string(result.attempts.size() + 1) + " gave up in step " + error.step + ": " +
                       error.reason);
       if (!first_failure) first_failure = error;
+      hopeless = error.step == "smooth" && run.options.method == "auto" && result.mesh.hex_count() > kUntangleOnce;
     }
     task.record(attempt, start);
+    if (hopeless) break;
     if (best && (best->worth.good() || second_chance || best->mesh.hex_count() > kSecondLook)) break;
   }
   if (!best) throw *first_failure;

@@ -19,8 +19,7 @@ bool Worth::better_than(const Worth& other) const {
 }
 
 Worth worth_of(const HexComplex& mesh, const SmoothReport& smoothing, const SolidTask& task) {
-  const Faithfulness kept =
-      measure_faithfulness(mesh, task.part.geometry(), task.solid, &task.run.result.surface, task.run.options.size);
+  const Faithfulness kept = measure_faithfulness(mesh, task.part.geometry(), task.solid, &task.run.result.surface, task.run.options.size);
   Worth worth;
   worth.faithful = kept.complete();
   worth.lost = kept.lost_length + 0.025 * static_cast<double>(kept.faces_without_quads.size() + kept.faces_not_covered.size()) +
@@ -32,7 +31,8 @@ Worth worth_of(const HexComplex& mesh, const SmoothReport& smoothing, const Soli
     for (int id : ids) text += " " + std::to_string(id);
     return ids.empty() ? " none" : text;
   };
-  task.run.context.log("CAD faces without quads:" + list(kept.faces_without_quads) + "; not covered:" + list(kept.faces_not_covered) + " (largest gap " + std::to_string(kept.largest_gap) + ")" +
+  task.run.context.log("CAD faces without quads:" + list(kept.faces_without_quads) + "; not covered:" + list(kept.faces_not_covered) +
+                       " (largest gap " + std::to_string(kept.largest_gap) + ")" +
                        "; sharp edges not followed:" + list(kept.sharp_edges_not_followed) + "; corners lost:" + list(kept.corners_lost));
   return worth;
 }

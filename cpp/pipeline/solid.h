@@ -8,9 +8,9 @@
 namespace hexfeature {
 
 /// Mesh one solid: the methods that the options allow, in order. The first mesh that is faithful and has no very bad element
-/// (Worth::sufficient) ends the search; otherwise the best of all methods by `Worth` is kept. With a time limit each method but the last gets half of what is left.
-/// Returns the mesh in world coordinates, with the run's result describing it.
-/// Throws MeshingError(NoMesh) of the first method when none gives a certified mesh.
+/// (Worth::sufficient) ends the search; otherwise the best of all methods by `Worth` is kept. With a time limit each method but the last
+/// gets half of what is left. Returns the mesh in world coordinates, with the run's result describing it. Throws MeshingError(NoMesh) of
+/// the first method when none gives a certified mesh.
 HexComplex mesh_solid(Part& part, int solid, const std::vector<Mat3>& frames, Run& run);
 
 }  // namespace hexfeature

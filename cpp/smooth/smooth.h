@@ -9,13 +9,13 @@
 namespace hexfeature {
 
 struct SmoothOptions {
-  double size = 1;           ///< target element size h
-  double theta = 0.1;        ///< weight of the volume term g against the shape term f
-  int untangle_rounds = 20;  ///< soft rounds of <= 40 L-BFGS iterations
-  bool worst_stage = true;   ///< the stage that lifts the worst element
-  int threads = 2;           ///< results do not depend on it, bit for bit
+  double size = 1;             ///< target element size h
+  double theta = 0.1;          ///< weight of the volume term g against the shape term f
+  int untangle_rounds = 20;    ///< soft rounds of <= 40 L-BFGS iterations
+  bool worst_stage = true;     ///< the stage that lifts the worst element
+  int threads = 2;             ///< results do not depend on it, bit for bit
   double least_target = 0.25;  ///< elements want to be no smaller than this many h
-  std::vector<int> held;     ///< points that stay where they are; they must lie on their CAD entity already
+  std::vector<int> held;       ///< points that stay where they are; they must lie on their CAD entity already
 };
 
 struct SmoothReport {

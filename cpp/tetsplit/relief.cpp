@@ -20,7 +20,8 @@ std::array<int, 3> sorted_face(const std::array<int, 4>& tet, int face) {
 }
 
 Vec3 outward(const TetMesh& mesh, const std::array<int, 4>& tet, int face) {
-  const Vec3 &a = mesh.points[tet[kTetFaces[face][0]]], &b = mesh.points[tet[kTetFaces[face][1]]], &c = mesh.points[tet[kTetFaces[face][2]]];
+  const Vec3 &a = mesh.points[tet[kTetFaces[face][0]]], &b = mesh.points[tet[kTetFaces[face][1]]],
+             &c = mesh.points[tet[kTetFaces[face][2]]];
   return (b - a).cross(c - a).normalized();
 }
 

@@ -211,7 +211,8 @@ bool Remesher::flip(int h, bool forced) {
   if (c == d) return false;
   const double before = std::min(shape(t), shape(u));
   const Vec3 na = normals_[h], nb = normals_[hn], nc = normals_[hp], nd = normals_[gp];
-  const double after = std::min(shape(points_[c], points_[d], points_[b], nc, nd, nb), shape(points_[d], points_[c], points_[a], nd, nc, na));
+  const double after =
+      std::min(shape(points_[c], points_[d], points_[b], nc, nd, nb), shape(points_[d], points_[c], points_[a], nd, nc, na));
   if (after < 0 || (!forced && after < 1.05 * before)) return false;
   circulate(hp);
   for (int x : ring_)
@@ -434,7 +435,8 @@ bool Remesher::cut_tip(int h, int g, double width, double longest) {
     for (int side = 0; side < 2; ++side) {
       end[side] = -1;
       for (int y : ring_)
-        if (edge_[y] == cad[side] && (place_[to(y)].dim == 1) && (points_[to(y)] - apex).norm() > (points_[at] - apex).norm()) end[side] = to(y);
+        if (edge_[y] == cad[side] && (place_[to(y)].dim == 1) && (points_[to(y)] - apex).norm() > (points_[at] - apex).norm())
+          end[side] = to(y);
       if (end[side] < 0) return zipped > 0;
     }
     const double gap = (geometry_.projector->project_to_edge(cad[1], points_[end[0]], nullptr).point - points_[end[0]]).norm();

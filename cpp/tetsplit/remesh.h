@@ -67,9 +67,9 @@ class Remesher {
   double tiny_;
   std::vector<Vec3> points_;
   std::vector<CadPlace> place_;
-  std::vector<double> length_;                ///< wanted, per point
-  std::vector<char> pinned_;                  ///< per point: it never moves
-  std::vector<int> out_;                      ///< per point: an outgoing halfedge, -1 when it is gone
+  std::vector<double> length_;                 ///< wanted, per point
+  std::vector<char> pinned_;                   ///< per point: it never moves
+  std::vector<int> out_;                       ///< per point: an outgoing halfedge, -1 when it is gone
   std::vector<std::array<int, 3>> triangles_;  ///< {-1, ..}: gone
   std::vector<int> face_;
   std::vector<Vec3> normals_;  ///< 3 per triangle

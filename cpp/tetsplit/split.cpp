@@ -48,7 +48,8 @@ HexComplex split_tetrahedra(const TetMesh& mesh, const SurfaceMesh& surface, con
   }
   const Numbering<Edge> edges(std::move(all_edges));
   const Numbering<Face> faces(std::move(all_faces));
-  const int first_edge = static_cast<int>(mesh.points.size()), first_face = first_edge + edges.size(), first_middle = first_face + faces.size();
+  const int first_edge = static_cast<int>(mesh.points.size()), first_face = first_edge + edges.size(),
+            first_middle = first_face + faces.size();
   const auto edge_node = [&](int a, int b) { return first_edge + edges.of(edge_key(a, b)); };
   const auto face_node = [&](int a, int b, int c) { return first_face + faces.of(face_key(a, b, c)); };
 
@@ -64,7 +65,8 @@ HexComplex split_tetrahedra(const TetMesh& mesh, const SurfaceMesh& surface, con
     result.points[o] = (mesh.points[v[0]] + mesh.points[v[1]] + mesh.points[v[2]] + mesh.points[v[3]]) / 4;
     for (const auto& p : kFromCorner) {
       const int a = v[p[0]], b = v[p[1]], c = v[p[2]], d = v[p[3]];
-      result.hexes.push_back({a, edge_node(a, b), face_node(a, b, c), edge_node(a, c), edge_node(a, d), face_node(a, b, d), o, face_node(a, c, d)});
+      result.hexes.push_back(
+          {a, edge_node(a, b), face_node(a, b, c), edge_node(a, c), edge_node(a, d), face_node(a, b, d), o, face_node(a, c, d)});
       result.hex_block.push_back(static_cast<int>(t));
     }
   }

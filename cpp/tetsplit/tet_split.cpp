@@ -23,6 +23,10 @@ constexpr double kTipWidth = 0.06, kTipLength = 0.48;
 /// ... and only where the worst element stays below this with them: a cut costs a little of the two sharp edges.
 constexpr double kTipsForbid = 0.1;
 
+/// Large meshes are not made again and again for a little better worst element: elements of all attempts, and what is bearable then.
+constexpr int kMostWork = 100000;
+constexpr double kBearable = 0.05;
+
 std::vector<Vec3> bad_places(const HexComplex& mesh, double limit) {
   std::vector<Vec3> places;
   for (const auto& hex : mesh.hexes) {
@@ -56,6 +60,7 @@ HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const
   smoothing.threads = options.threads;
   smoothing.least_target = 0.02;
   std::optional<HexComplex> best;
+  int work = 0;
   std::optional<MeshingError> failure;
   for (int attempt = 0; attempt < options.attempts; ++attempt) {
     ++report.attempts;
@@ -86,6 +91,8 @@ HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const
         best = mesh;
       }
       if (smoothed.inverted == 0 && smoothed.min_sj >= options.good_enough) break;
+      work += mesh.hex_count();
+      if (smoothed.inverted == 0 && smoothed.min_sj >= kBearable && work > kMostWork) break;
       // Finer where it was bad; then, where tips of faces forbid a better mesh, without them; then a little finer everywhere, since
       // other elements meet there.
       if (attempt == 0) {
@@ -93,7 +100,8 @@ HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const
       } else {
         int finer = attempt;
         if (report.smoothing.min_sj < kTipsForbid) {
-          if (attempt == 1) context.log("tet-split: " + std::to_string(fine.cut_tips(kTipWidth * h, kTipLength * h, context)) + " tips cut");
+          if (attempt == 1)
+            context.log("tet-split: " + std::to_string(fine.cut_tips(kTipWidth * h, kTipLength * h, context)) + " tips cut");
           --finer;
         }
         field = base.scaled(std::pow(kOtherwise, finer));

@@ -22,9 +22,9 @@ inline constexpr std::array<std::array<int, 4>, 6> kTetEdges{
 inline constexpr std::array<std::array<int, 3>, 4> kTetFaces{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 struct TetOptions {
-  double longest = 1;   ///< edge length inside, at most
-  double grading = 0.3; ///< Netgen's: 0 uniform, 1 coarse
-  std::string program;  ///< the program that runs Netgen; empty: `hexfeature-netgen` beside this library
+  double longest = 1;    ///< edge length inside, at most
+  double grading = 0.3;  ///< Netgen's: 0 uniform, 1 coarse
+  std::string program;   ///< the program that runs Netgen; empty: `hexfeature-netgen` beside this library
 };
 
 /// Fill a closed surface with tetrahedra, with Netgen (J. Schöberl, "NETGEN An advancing front 2D/3D-mesh generator based on abstract

@@ -38,7 +38,8 @@ std::vector<double> followed(const SurfaceMesh& mesh, const CadModel& model) {
   std::vector<double> length(model.edges.size() + 1, 0);
   for (int h = 0; h < 3 * mesh.triangle_count(); ++h)
     if (mesh.halfedge_edge[h] > 0 && h < mesh.opposite[h])
-      length[mesh.halfedge_edge[h]] += (mesh.points[mesh.from(h)] - mesh.points[mesh.to(h)]).norm() / model.edge(mesh.halfedge_edge[h]).length;
+      length[mesh.halfedge_edge[h]] +=
+          (mesh.points[mesh.from(h)] - mesh.points[mesh.to(h)]).norm() / model.edge(mesh.halfedge_edge[h]).length;
   return length;
 }
 
@@ -152,7 +153,8 @@ TEST_CASE("remeshing gives the lengths asked for, on the CAD, with every edge fo
 
 TEST_CASE("the size field is short where a wall is thin or a hole is small, and graded") {
   Context context;
-  const auto model = cad_shapes::model_of(cad_shapes::cut(cad_shapes::box(40, 40, 20), cad_shapes::moved(cad_shapes::cylinder(2, 60), 10, 10, -5)));
+  const auto model =
+      cad_shapes::model_of(cad_shapes::cut(cad_shapes::box(40, 40, 20), cad_shapes::moved(cad_shapes::cylinder(2, 60), 10, 10, -5)));
   SizeOptions options;
   options.longest = 9;
   options.least = 1;

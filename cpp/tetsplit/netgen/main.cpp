@@ -8,6 +8,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <array>
@@ -64,6 +65,9 @@ int main() {
   read_all(counts, sizeof counts);
   read_all(sizes, sizeof sizes);
   if (counts[0] < 4 || counts[1] < 4) return 2;
+  // On a surface that intersects itself Netgen may search for ever: 81,000 tetrahedra take 7 s, this is many times that.
+  const rlimit most{static_cast<rlim_t>(15 + counts[1] / 500), RLIM_INFINITY};
+  setrlimit(RLIMIT_CPU, &most);
   std::vector<double> points(3 * static_cast<std::size_t>(counts[0]));
   std::vector<std::int32_t> triangles(3 * static_cast<std::size_t>(counts[1]));
   read_all(points.data(), points.size() * sizeof(double));

@@ -1,0 +1,64 @@
+# HexFeatureWB - LGPL-2.1-or-later
+"""The driver: methods in order, the best mesh is kept, and the report tells why."""
+import filecmp
+import json
+import math
+import subprocess
+
+import pytest
+
+import hexfeature
+
+
+def test_tet_split_alone(parts):
+    mesh = hexfeature.mesh(parts / "plate.step", size=4, method="tet-split")
+    assert mesh.method == "tet-split" and mesh.certified
+    report = mesh.report
+    assert report["quality"]["min_scaled_jacobian"] > 0.1
+    assert report["quality"]["volume_error"] < 0.03
+    assert report["faithfulness"]["faces_without_quads"] == []
+    assert report["faithfulness"]["sharp_edges_not_followed"] == []
+    assert report["faithfulness"]["largest_node_deviation"] < 1e-8
+    assert [a["method"] for a in report["attempts"]] == ["tet-split"]
+
+
+def test_auto_ends_with_the_first_method_that_suffices(parts):
+    mesh = hexfeature.mesh(parts / "plate.step", size=4)
+    assert mesh.method == "feature-line"
+    assert {a["method"] for a in mesh.report["attempts"]} == {"feature-line"}
+    assert sum(a["made_the_mesh"] for a in mesh.report["attempts"]) == 1
+
+
+@pytest.mark.parametrize("method", ["tet-split", "auto"])
+def test_the_same_file_whatever_the_threads(parts, tmp_path, method):
+    for threads in (1, 2):
+        hexfeature.mesh(parts / "plate.step", size=5, method=method, threads=threads).write(tmp_path / f"{threads}.vtk")
+    assert filecmp.cmp(tmp_path / "1.vtk", tmp_path / "2.vtk", shallow=False)
+
+
+def test_limits_of_the_part_stand_beside_the_result(parts, tmp_path):
+    limits = hexfeature.mesh(parts / "plate.step", size=5).report["limits"]
+    json.dumps(limits)
+    assert limits["bound"] == pytest.approx(1)
+    assert limits["face_tips"] == []
+    edges = limits["sharp_edges"]
+    assert len(edges) == 14  # twelve of the block, two rims of the hole
+    for e in edges:
+        assert e["angle_degrees"] == pytest.approx(90)
+        assert e["bound"] == pytest.approx(1) and e["bound_for_elements"] == 1
+        assert 0 < e["min_scaled_jacobian"] <= e["bound"] + 1e-9
+        assert e["most_elements"] >= 1
+
+
+def test_the_bound_of_a_sharp_edge(tmp_path):
+    wedge = tmp_path / "wedge.step"
+    subprocess.run(["/usr/bin/python3", "-c", """
+import sys
+sys.path += ["/usr/lib/freecad-python3/lib", "/usr/lib/freecad/lib"]
+import FreeCAD, Part
+from FreeCAD import Vector as V
+Part.Face(Part.makePolygon([V(0, 0, 0), V(20, 0, 0), V(0, 0, 20), V(0, 0, 0)])).extrude(V(0, 10, 0)).exportStep(sys.argv[1])
+""", str(wedge)], check=True, capture_output=True)
+    limits = hexfeature.mesh(wedge, size=3).report["limits"]
+    assert limits["bound"] == pytest.approx(math.sin(math.radians(45)))
+    assert sorted(round(e["angle_degrees"]) for e in limits["sharp_edges"])[:2] == [45, 45]
