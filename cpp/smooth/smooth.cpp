@@ -125,7 +125,10 @@ SmoothReport smooth(HexComplex& mesh, const Projector& projector, const SmoothOp
     report.rounds = untangle_softly(all);
     slide(all);
     all.write_back(mesh);
-    if (options.worst_stage) lift_worst(mesh, setting);
+    if (options.worst_stage) {
+      lift_worst(mesh, setting);
+      lift_places(mesh, setting);
+    }
     report.deviation = settle(mesh, setting);
   }
 

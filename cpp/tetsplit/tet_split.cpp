@@ -60,7 +60,8 @@ HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const
   smoothing.threads = options.threads;
   smoothing.least_target = 0.02;
   std::optional<HexComplex> best;
-  int work = 0;
+  int work = 0, finer = 0;
+  bool tips_cut = false;
   std::optional<MeshingError> failure;
   for (int attempt = 0; attempt < options.attempts; ++attempt) {
     ++report.attempts;
@@ -93,19 +94,21 @@ HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const
       if (smoothed.inverted == 0 && smoothed.min_sj >= options.good_enough) break;
       work += mesh.hex_count();
       if (smoothed.inverted == 0 && smoothed.min_sj >= kBearable && work > kMostWork) break;
-      // Finer where it was bad; then, where tips of faces forbid a better mesh, without them; then a little finer everywhere, since
-      // other elements meet there.
+      // Without the tips of faces that forbid a better mesh; finer where it was bad; then a little finer everywhere, since other
+      // elements meet there.
+      bool changed = false;
       if (attempt == 0) {
-        field.refine(bad_places(mesh, options.good_enough), kFiner);
-      } else {
-        int finer = attempt;
-        if (report.smoothing.min_sj < kTipsForbid) {
-          if (attempt == 1)
-            context.log("tet-split: " + std::to_string(fine.cut_tips(kTipWidth * h, kTipLength * h, context)) + " tips cut");
-          --finer;
-        }
-        field = base.scaled(std::pow(kOtherwise, finer));
+        const std::vector<Vec3> places = bad_places(mesh, options.good_enough);
+        field.refine(places, kFiner);
+        changed = true;
       }
+      if (!tips_cut && report.smoothing.min_sj < kTipsForbid) {
+        tips_cut = true;
+        const int tips = fine.cut_tips(kTipWidth * h, kTipLength * h, context);
+        context.log("tet-split: " + std::to_string(tips) + " tips cut");
+        changed |= tips > 0;
+      }
+      if (!changed) field = base.scaled(std::pow(kOtherwise, ++finer));
     } catch (const MeshingError& error) {
       if (error.kind != Failure::NoMesh) throw;
       context.log("tet-split, attempt " + std::to_string(attempt + 1) + " gave up in step " + error.step + ": " + error.reason);
