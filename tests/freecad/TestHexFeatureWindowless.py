@@ -79,6 +79,23 @@ class TestDocumentObject(DocumentTest):
         self.assertGreater(model.Shape.BoundBox.XMin, part.Shape.BoundBox.XMax)
 
 
+class TestGroupCheck(DocumentTest):
+    def test_says_what_freecads_search_finds(self):
+        """On a bar one element thick inner quads' nodes all lie on the cylinder too; the boxes touch."""
+        from HexFeatureWB import core, fem_mesh, group_check
+
+        touching = Part.makeCompound([Part.makeBox(20, 10, 10), Part.makeBox(20, 10, 10, FreeCAD.Vector(20, 0, 0))])
+        differ = 0
+        for shape, size in ((Part.makeCylinder(3, 20), 6.0), (make_parts.connecting_rod(), 6.4), (make_parts.box(), 5.0), (touching, 5.0)):
+            for order in (1, 2):
+                result = core.load().mesh_brep(shape.exportBrepToString(), {"size": size, "order": order})
+                fem, ids = fem_mesh.to_fem_mesh(result)
+                found = group_check.differing_groups(result, fem, shape, ids)
+                self.assertEqual(found, group_check.check_groups(fem, shape, ids))
+                differ += bool(found)
+        self.assertEqual(differ, 4)
+
+
 class TestJob(unittest.TestCase):
     def test_a_job_ends_with_a_result_an_error_or_cancelled(self):
         from HexFeatureWB.job import Job

@@ -62,6 +62,7 @@ def step_title(step):
         "quality": tr("measuring"),
         "certificate": tr("proving every element"),
         "second order": tr("mid-side nodes"),
+        "build": tr("building FreeCAD's mesh"),
         "options": tr("options"),
         "": tr("starting"),
     }.get(step, step)
