@@ -113,6 +113,18 @@ class TestJob(unittest.TestCase):
         self.assertEqual((bad.result, bad.error.kind), (None, "usage"))
         self.assertEqual((given_up.result, given_up.error.kind), (None, "cancelled"))
 
+    def test_a_first_look_where_labels_have_to_be_repaired(self):
+        from HexFeatureWB.job import Job
+
+        tee, box = (Job(shape.exportBrepToString(), {"size": size, "stop_after": "shape"}).start()
+                    for shape, size in ((make_parts.pipe_tee(), 3.0), (make_parts.box(), 5.0)))
+        for job in (tee, box):
+            job.join(60)
+        self.assertIsNone(box.first_look)
+        first, final = (list(r.stage("labels")["label"]) for r in (tee.first_look, tee.result))
+        self.assertNotEqual(first, final)
+        self.assertGreater(len(tee.first_look.stage("shape")["arcs"]), 12)
+
 
 class TestMissingExtension(unittest.TestCase):
     def test_says_what_to_do(self):

@@ -222,7 +222,8 @@ class HexMeshPanel:
         if stage is None:
             self._show_part()
             return
-        self.preview_text.setText(tr("%d regions, %d feature lines") % (len(stage["chart_label"]), len(stage["arcs"])))
+        text = tr("%d regions, %d feature lines") if self.preview.final else tr("%d regions, %d feature lines so far, being repaired ...")
+        self.preview_text.setText(text % (len(stage["chart_label"]), len(stage["arcs"])))
         if self.show_labels.isChecked():
             self._hide_part()
         else:
