@@ -31,8 +31,8 @@ test-cpp: build
 	ctest --test-dir build --output-on-failure --progress
 
 test-freecad: build
-	QT_QPA_PLATFORM=offscreen freecadcmd -P python -P tests/freecad -P tests/parts -t TestHexFeature
-	QT_QPA_PLATFORM=offscreen freecadcmd -P python -P tests/freecad -P tests/parts -t TestHexFeatureWindowless
+	for t in TestHexFeature TestHexFeatureWindowless TestHexFeatureConstraints; do \
+	  QT_QPA_PLATFORM=offscreen freecadcmd -P python -P tests/freecad -P tests/parts -t $$t || exit 1; done
 
 test-python: build
 	$(PYTEST) tests/python

@@ -113,6 +113,11 @@ def _fill(mesh_obj, progress, cancelled):
     fem_mesh.add_groups(fem, ids, names)
     report = result.report()
     report["groups_not_found_by_geometry"] = differing_groups(result, fem, shape, ids)
+    # Seams and the vertices where closed curves begin have no nodes of their own: a constraint put there finds nothing.
+    report["entities_without_nodes"] = [
+        name for kind, items in (("edges", shape.Edges), ("vertices", shape.Vertexes))
+        for name in (names[kind](number) for number in range(1, len(items) + 1) if number not in ids[kind]) if name
+    ]
     mesh_obj.FeatureLineNodes = fem_mesh.feature_line_nodes(result)
     mesh_obj.FemMesh = fem
     mesh_obj.MethodUsed = report["method"]

@@ -12,21 +12,7 @@ import HexFeatureWB
 from HexFeatureWB import analysis, batch
 
 import make_parts
-
-
-def new_part(shape):
-    document = FreeCAD.newDocument("Test")
-    document.UndoMode = 1
-    part = document.addObject("Part::Feature", "Part")
-    part.Shape = shape
-    document.recompute()
-    return document, part
-
-
-class DocumentTest(unittest.TestCase):
-    def tearDown(self):
-        for name in list(FreeCAD.listDocuments()):
-            FreeCAD.closeDocument(name)
+from hexfeature_documents import DocumentTest, new_part
 
 
 class TestMeshObject(DocumentTest):
