@@ -33,6 +33,22 @@ class GuiTest(unittest.TestCase):
             FreeCAD.closeDocument(name)
         live()
 
+    @staticmethod
+    def recorded(action):
+        """The lines that the macro recorder gets while `action` is done."""
+        lines, real = [], FreeCADGui.doCommand
+
+        def recorded(line):
+            lines.append(line)
+            return real(line)
+
+        FreeCADGui.doCommand = recorded
+        try:
+            action()
+        finally:
+            FreeCADGui.doCommand = real
+        return lines
+
     def open_panel(self, part):
         FreeCADGui.Selection.clearSelection()
         FreeCADGui.Selection.addSelection(part)
@@ -403,37 +419,40 @@ class TestExportAndBatch(GuiTest):
             self.assertEqual(os.listdir(folder), ["box.unv"])
 
     def test_batch(self):
+        """Ten parts, each with a size of its own, and a file that cannot be read."""
+        names = [name for name in make_parts.PARTS if name != "crank_shaft"]
         with tempfile.TemporaryDirectory() as folder:
-            paths = [make_parts.make(name, folder) for name in ("box", "round_bar", "filleted_l")]
+            lines = ["%s; %g mm" % (make_parts.make(name, folder), 3 * make_parts.PARTS[name][1]) for name in names]
             bad = os.path.join(folder, "bad.step")
             with open(bad, "w") as f:
                 f.write("nothing")
             out = os.path.join(folder, "out")
             driver.action("Batch").trigger()
             dialog = batch_dialog.current
-            dialog.files.setPlainText("\n".join([*paths, bad]))
-            dialog.folder.setText(out)
-            dialog.size.set_value(5)
+            dialog.files.setPlainText("part.step; 4 kg")
             child(dialog, "start_button").click()
-            wait_until(lambda: dialog.start_button.isEnabled())
+            self.assertIn("4 kg", dialog.state.text())
+            dialog.files.setPlainText("\n".join([*lines, bad]))
+            dialog.folder.setText(out)
+            recorded = self.recorded(lambda: (child(dialog, "start_button").click(), wait_until(lambda: dialog.start_button.isEnabled())))
             picture("batch", dialog)
-            self.assertEqual([r["result"] for r in dialog.rows], ["meshed"] * 3 + ["unreadable"])
+            self.assertEqual([r["result"] for r in dialog.rows], ["meshed"] * 10 + ["unreadable"])
             self.assertTrue({"box.FCStd", "box.unv", "box.json", "summary.csv"} <= set(os.listdir(out)))
+            self.assertLess(dialog.rows[0]["hexes"], 80)
+            before = os.path.getmtime(os.path.join(out, "box.FCStd"))
+            exec("\n".join(recorded))
+            self.assertGreater(os.path.getmtime(os.path.join(out, "box.FCStd")), before)
             self.assertEqual(FreeCAD.listDocuments(), {})
             child(dialog, "close_button").click()
 
 
 class TestMacro(GuiTest):
-    def test_recorded_lines_repeat_what_was_done(self):
+    """Each action leaves lines that repeat it."""
+
+    def test_mesh_and_quality(self):
         document, part = driver.show_part(make_parts.box())
-        lines, real = [], FreeCADGui.doCommand
 
-        def recorded(line):
-            lines.append(line)
-            return real(line)
-
-        FreeCADGui.doCommand = recorded
-        try:
+        def act():
             mesh = self.mesh(part, 5)
             FreeCADGui.Selection.addSelection(mesh)
             live(0.5)
@@ -441,13 +460,55 @@ class TestMacro(GuiTest):
             child(quality_panel.current.form, "keep").setChecked(True)
             child(quality_panel.current.form, "cut_axis").setCurrentIndex(1)
             quality_panel.current.reject()
-        finally:
-            FreeCADGui.doCommand = real
+
+        lines = self.recorded(act)
+        mesh = document.getObject("HexMesh")
         count = mesh.HexCount
         document.removeObject(mesh.Name)
         exec("\n".join(lines), {"App": FreeCAD, "Gui": FreeCADGui})
         again = document.getObject("HexMesh")
         self.assertEqual((again.HexCount, again.ViewObject.CutAxis, again.ViewObject.DisplayMode), (count, "X", "Quality"))
+
+    def test_refresh_models_and_export(self):
+        document, part = driver.show_part(make_parts.box())
+        mesh = self.mesh(part, 5)
+        count = mesh.HexCount
+
+        def refresh():
+            mesh.ElementSize = 2.5
+            FreeCADGui.Selection.clearSelection()
+            live(0.5)
+            driver.action("Refresh mesh").trigger()
+            wait_until(lambda: refresh_panel.current.job is None and not FreeCADGui.Control.activeDialog())
+
+        def models():
+            FreeCADGui.Selection.addSelection(part)
+            live(0.5)
+            driver.action("Show feature lines").trigger()
+            driver.action("Show recognition model").trigger()
+
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "box.inp")
+
+            def export():
+                asked, commands.ask_file = commands.ask_file, lambda title, start, filters: (path, filters[0])
+                try:
+                    FreeCADGui.Selection.clearSelection()
+                    live(0.5)
+                    driver.action("Export mesh").trigger()
+                finally:
+                    commands.ask_file = asked
+
+            lines = [self.recorded(act) for act in (refresh, models, export)]
+            self.assertEqual(mesh.HexCount, 8 * count)
+            os.remove(path)
+            for name in ("FeatureLines", "RecognitionModel"):
+                document.removeObject(name)
+            mesh.ElementSize = 10
+            exec("\n".join(sum(lines, [])), {"App": FreeCAD, "Gui": FreeCADGui})
+            self.assertEqual(mesh.HexCount, count // 8)
+            self.assertTrue(os.path.exists(path))
+            self.assertTrue(document.getObject("FeatureLines") and document.getObject("RecognitionModel"))
 
 
 class TestAnalysis(GuiTest):
