@@ -2,6 +2,7 @@
 """Run by the real freecadcmd: freecadcmd -P tests/freecad -P tests/parts -P python -t TestHexFeature"""
 import json
 import os
+import shutil
 import tempfile
 import unittest
 
@@ -96,6 +97,7 @@ class TestMeshObject(DocumentTest):
         self.assertEqual([o for o in study.Group if o.isDerivedFrom("Fem::FemMeshObject")], [second])
 
 
+@unittest.skipUnless(shutil.which("ccx"), "there is no CalculiX")
 class TestCalculiX(DocumentTest):
     def solve(self, shape, size, fixed, loaded, newtons, direction=None, **options):
         document, part = new_part(shape)

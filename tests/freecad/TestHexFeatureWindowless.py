@@ -64,6 +64,34 @@ class TestDocumentObject(DocumentTest):
         self.assertGreater(model.Shape.BoundBox.XMin, part.Shape.BoundBox.XMax)
 
 
+OLDER = os.environ.get("HEXFEATURE_OLDER_DOCUMENT")
+
+
+class TestOlderDocument(DocumentTest):
+    """A document that save_document.py has saved, perhaps in another FreeCAD."""
+
+    def open(self):
+        if OLDER:
+            return FreeCAD.openDocument(OLDER)
+        import save_document
+
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "older.FCStd")
+            save_document.save(path)
+            return FreeCAD.openDocument(path)
+
+    def test_holds_mesh_groups_and_options_and_can_be_refreshed(self):
+        document = self.open()
+        mesh = document.getObject("HexMesh")
+        fem = mesh.FemMesh
+        self.assertEqual((fem.HexaCount, mesh.NeedsRefresh, mesh.Order, float(mesh.ElementSize.Value)), (mesh.HexCount, False, 2, 6))
+        groups = {fem.getGroupName(g): len(fem.getGroupElements(g)) for g in fem.Groups}
+        self.assertEqual(groups["Solid1"], mesh.HexCount)
+        HexFeatureWB.refresh(mesh)
+        again = mesh.FemMesh
+        self.assertEqual(groups, {again.getGroupName(g): len(again.getGroupElements(g)) for g in again.Groups})
+
+
 class TestGroupCheck(DocumentTest):
     def test_says_what_freecads_search_finds(self):
         """On a bar one element thick inner quads' nodes all lie on the cylinder too; the boxes touch."""

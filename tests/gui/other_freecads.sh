@@ -39,12 +39,17 @@ make_root() {
 }
 
 code=0
+older=$(mktemp -d)
+trap 'rm -rf "$older"' EXIT
+HEXFEATURE_SAVE="$older/older.FCStd" QT_QPA_PLATFORM=offscreen \
+  freecadcmd -P "$here/python" -P "$here/tests/parts" "$here/tests/freecad/save_document.py" >"$older/log" 2>&1 </dev/null || cat "$older/log"
 for suite in "$@"; do
   echo "== $suite"
   make_root "$suite"
   mkdir -p "$root/root/src"
   (cd "$here" && git ls-files -z --cached --others --exclude-standard | tar cf - --null -T -) | tar xf - -C "$root/root/src"
-  chroot "$root" sh -euc '
+  cp "$older/older.FCStd" "$root/root/older.FCStd"
+  chroot "$root" env HEXFEATURE_OLDER_DOCUMENT=/root/older.FCStd sh -euc '
     cd /root/src
     rm -f python/hexfeature/_core*.so
     cmake -G Ninja -B build -DCMAKE_BUILD_TYPE=Release -DHEXFEATURE_TESTS=OFF -DPython3_EXECUTABLE=/usr/bin/python3 >build.log 2>&1 || { cat build.log; exit 1; }

@@ -1,6 +1,7 @@
 # HexFeatureWB - LGPL-2.1-or-later
 """The workbench as a user sees it: real buttons of a real FreeCAD. Run by tests/gui/run.sh."""
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -15,7 +16,8 @@ from PySide import QtGui
 
 import HexFeatureWB
 from HexFeatureWB import mesh_object
-from HexFeatureWB.gui import batch_dialog, commands, messages, preferences, quality_panel, record, refresh_panel, settings, task_panel
+from HexFeatureWB.gui import batch_dialog, commands, messages, preferences, quality_panel, record, refresh_panel, selection, settings
+from HexFeatureWB.gui import task_panel, widgets
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
@@ -95,6 +97,25 @@ class TestCommands(GuiTest):
         live(0.3)
         self.assertTrue(bar.isVisible())
 
+    def test_the_keys_open_the_panel_in_the_fem_workbench(self):
+        for visited in (False, True):  # with our own workbench's actions beside it and without
+            if visited:
+                FreeCADGui.activateWorkbench("HexFeatureWorkbench")
+                live(0.3)
+                FreeCADGui.activateWorkbench("FemWorkbench")
+                live(0.3)
+            document, part = driver.show_part(make_parts.box())
+            FreeCADGui.Selection.addSelection(part)
+            live(0.6)
+            try:
+                driver.press_keys("H", "M")
+            except OSError as error:
+                self.skipTest(str(error))
+            live(0.5)
+            self.assertIsNotNone(FreeCADGui.Control.activeDialog() or None, "visited: %s" % visited)
+            task_panel.current.reject()
+            FreeCAD.closeDocument(document.Name)
+
     def test_preferences_are_the_defaults_of_a_new_mesh(self):
         page = preferences.PreferencesPage()
         page.loadSettings()
@@ -112,6 +133,27 @@ class TestCommands(GuiTest):
         order.set_value(2)
         page.switches["QualityAfterMeshing"].setChecked(False)
         page.saveSettings()
+
+
+class TestWords(unittest.TestCase):
+    def test_every_step_and_option_has_a_name_for_people(self):
+        import re
+
+        steps = set()
+        for folder, _, files in os.walk(os.path.join(ROOT, "cpp")):
+            for name in files:
+                with open(os.path.join(folder, name), encoding="utf-8") as f:
+                    steps |= set(re.findall(r'(?:begin|progress)\("([a-z -]+)"', f.read()))
+        self.assertGreater(len(steps), 8)
+        self.assertEqual(steps - set(messages.step_titles()), set())
+        for spec in settings.option_specs():
+            self.assertTrue(widgets.has_title(spec["name"]), spec["name"])
+            for choice in spec["choices"]:
+                self.assertNotEqual(widgets.choice_title(spec["name"], choice), choice)
+
+    def test_the_german_file_is_complete(self):
+        with open(os.path.join(ROOT, "Resources", "translations", "HexFeature_de.ts"), encoding="utf-8") as f:
+            self.assertNotIn("unfinished", f.read())
 
 
 class TestTaskPanel(GuiTest):
@@ -247,6 +289,17 @@ class TestTaskPanel(GuiTest):
         self.assertTrue({"Face7", "Face12", "Solid2"} <= names)
         self.assertFalse({"Face1", "Solid1"} & names)
 
+    def test_what_a_selected_container_stands_for(self):
+        document = FreeCAD.newDocument("Container")
+        container = document.addObject("App::Part", "Assembly")
+        box = document.addObject("Part::Box", "Box")
+        container.addObject(box)
+        document.recompute()
+        FreeCADGui.Selection.addSelection(container)
+        live()
+        self.assertEqual(selection.parts(), [(box, 0)])
+        self.assertGreater(self.mesh(container, 5).HexCount, 7)
+
     def test_double_click_edits(self):
         document, part = driver.show_part(make_parts.box())
         mesh = self.mesh(part, 5)
@@ -311,6 +364,24 @@ class TestDocument(GuiTest):
             colours = driver.colours_of_view()
             self.assertGreater(colours["other"] + colours["blue"], 500)
             self.assertEqual(mesh.NeedsRefresh, False)
+
+    @unittest.skipUnless(os.environ.get("HEXFEATURE_OLDER_DOCUMENT"), "no document of another FreeCAD")
+    def test_a_document_of_an_older_freecad_shows_its_mesh(self):
+        document = FreeCAD.openDocument(os.environ["HEXFEATURE_OLDER_DOCUMENT"])
+        live(0.5)
+        mesh = document.getObject("HexMesh")
+        self.assertEqual((mesh.FemMesh.HexaCount, mesh.NeedsRefresh), (mesh.HexCount, False))
+        driver.look()
+        self.assertGreater(driver.colours_of_view()["other"] + driver.colours_of_view()["blue"], 500)
+        mesh.ViewObject.DisplayMode = "Quality"
+        driver.look()
+        self.assertGreater(driver.colours_of_view()["blue"], 500)
+        FreeCADGui.ActiveDocument.setEdit(mesh, 0)
+        live()
+        panel = task_panel.current
+        child(panel.form, "mesh_button").click()
+        wait_until(lambda: panel.job is None)
+        self.assertFalse(mesh.NeedsRefresh)
 
     def test_a_changed_part_asks_for_a_refresh_and_gets_it(self):
         document = FreeCAD.newDocument("Body")
@@ -512,6 +583,7 @@ class TestMacro(GuiTest):
 
 
 class TestAnalysis(GuiTest):
+    @unittest.skipUnless(shutil.which("ccx"), "there is no CalculiX")
     def test_from_a_step_file_to_stresses(self):
         import FemGui
         import Import
