@@ -97,6 +97,25 @@ class TestCommands(GuiTest):
         live(0.3)
         self.assertTrue(bar.isVisible())
 
+    def test_icons_are_seen_on_light_and_dark_themes(self):
+        names = sorted(name[:-4] for name in os.listdir(os.path.join(ROOT, "Resources", "icons")) if name.endswith(".svg"))
+        sheet = QtGui.QImage(60 * len(names), 120, QtGui.QImage.Format_RGB32)
+        for row, background in enumerate((240, 45)):
+            for column, name in enumerate(names):
+                image = QtGui.QImage(24, 24, QtGui.QImage.Format_RGB32)
+                image.fill(QtGui.QColor(background, background, background))
+                painter = QtGui.QPainter(image)
+                painter.drawPixmap(0, 0, messages.qicon(name).pixmap(24, 24))
+                painter.end()
+                light = [QtGui.qGray(image.pixel(x, y)) for x in range(24) for y in range(24)]
+                seen = sum(abs(value - background) > 60 for value in light)
+                self.assertGreater(seen, 60, (name, background))  # of 576
+                painter = QtGui.QPainter(sheet)
+                painter.drawImage(60 * column + 18, 60 * row + 18, image)
+                painter.end()
+        if driver.OUT:
+            sheet.save(os.path.join(driver.OUT, "icons.png"))
+
     def test_the_keys_open_the_panel_in_the_fem_workbench(self):
         for visited in (False, True):  # with our own workbench's actions beside it and without
             if visited:
