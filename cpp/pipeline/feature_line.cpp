@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "fit/fit.h"
 
@@ -59,6 +60,11 @@ LabelResult label(const SurfaceMesh& surface, const Geometry& geometry, const La
     run.result.adaptation = std::move(paper.adaptation);
     return std::move(paper);
   }
+  if (run.first_look)
+    options.first_look = [&run](LabelResult labels) {
+      run.result.labels = std::move(labels);
+      std::exchange(run.first_look, {})(run.result);
+    };
   return label_regions(surface, geometry, options, fill, run.context);
 }
 

@@ -4,27 +4,23 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "quadratic/bows.h"
-#include "quadratic/hex20.h"
 #include "quadratic/mesh_edges.h"
+#include "quadratic/unfold.h"
 
 namespace hexfeature {
 namespace {
 
-constexpr int kHalvings = 4;  // then all the way to the chord
+constexpr int kHalvings = 4;      // then all the way to the chord
+constexpr double kOnCad = 1e-11;  // of the edge's length
 
 class BackOff {
  public:
   BackOff(const HexComplex& complex, const MeshEdges& edges, Bows& bows, Context& context)
       : complex_(complex), edges_(edges), bows_(bows), context_(context) {}
 
-  Hex20 nodes_of(int h) const {
-    Hex20 x;
-    for (int n = 0; n < 8; ++n) x[n] = complex_.points[complex_.hexes[h][n]];
-    for (int e = 0; e < 12; ++e) x[8 + e] = bows_.chord[edges_.of_hex[h][e]] + bows_.bow[edges_.of_hex[h][e]];
-    return x;
-  }
   bool straight(int h) const {
     return std::all_of(edges_.of_hex[h].begin(), edges_.of_hex[h].end(), [&](int e) { return bows_.bow[e].isZero(0); });
   }
@@ -33,12 +29,12 @@ class BackOff {
     std::vector<int> result;
     for (int h = 0; h < complex_.hex_count(); ++h) {
       if (h % 1024 == 0) context_.check();
-      if (!straight(h) && !proves_positive(nodes_of(h))) result.push_back(h);
+      if (!straight(h) && !proves_positive(bent_element(complex_, edges_, bows_, h))) result.push_back(h);
     }
     return result;
   }
   /// Halve the bows of the bad elements' edges, on the CAD too or only inside; at last all of them. Returns what is still bad.
-  std::vector<int> straighten(std::vector<int> bad, bool on_cad, std::vector<char>& moved) {
+  std::vector<int> straighten(std::vector<int> bad, bool on_cad) {
     for (int round = 0; !bad.empty(); ++round) {
       std::vector<int> halved;
       for (int h : bad)
@@ -47,10 +43,7 @@ class BackOff {
       std::sort(halved.begin(), halved.end());
       halved.erase(std::unique(halved.begin(), halved.end()), halved.end());
       if (halved.empty()) break;
-      for (int e : halved) {
-        bows_.bow[e] *= round < kHalvings ? 0.5 : 0.0;
-        moved[e] = 1;
-      }
+      for (int e : halved) bows_.bow[e] *= round < kHalvings ? 0.5 : 0.0;
       bad = this->bad();
     }
     return bad;
@@ -63,16 +56,30 @@ class BackOff {
   Context& context_;
 };
 
-/// Distance of the mid-side nodes from the curve or face that they claim to lie on.
-double deviation_of(const Bows& bows, const Projector& projector) {
-  double largest = 0;
-  for (std::size_t e = 0; e < bows.bow.size(); ++e) {
-    const CadPlace& place = bows.place[e];
-    const Vec3 p = bows.chord[e] + bows.bow[e];
-    if (place.dim == 1) largest = std::max(largest, (projector.project_to_edge(place.entity, p, &place.uv[0]).point - p).norm());
-    if (place.dim == 2) largest = std::max(largest, (projector.project_to_face(place.entity, p, &place.uv).point - p).norm());
+/// Let one mid-side node of each bad element leave the CAD, before others one on a face, before others the one most bent.
+/// False when none of them is on the CAD.
+bool release_from_cad(const MeshEdges& edges, const std::vector<int>& bad, Bows& bows) {
+  bool any = false;
+  for (int h : bad) {
+    int chosen = -1;
+    const auto key = [&](int e) { return std::make_pair(bows.place[e].dim, bows.bow[e].norm() / bows.length[e]); };
+    for (int e : edges.of_hex[h])
+      if (bows.place[e].dim < 3 && (chosen < 0 || key(e) > key(chosen))) chosen = e;
+    if (chosen < 0) continue;
+    bows.place[chosen] = CadPlace{};
+    bows.bow[chosen] *= 0.5;
+    any = true;
   }
-  return largest;
+  return any;
+}
+
+/// Distance of the mid-side node of an edge from the curve or face that it claims to lie on; 0 inside.
+double deviation_of(const Bows& bows, int e, const Projector& projector) {
+  const CadPlace& place = bows.place[e];
+  const Vec3 p = bows.chord[e] + bows.bow[e];
+  if (place.dim == 1) return (projector.project_to_edge(place.entity, p, &place.uv[0]).point - p).norm();
+  if (place.dim == 2) return (projector.project_to_face(place.entity, p, &place.uv).point - p).norm();
+  return 0;
 }
 
 }  // namespace
@@ -83,18 +90,25 @@ QuadraticMesh make_quadratic(const HexComplex& complex, const Projector& project
   Bows bows = place_mid_sides(complex, edges, projector, context);
 
   BackOff back_off(complex, edges, bows, context);
-  std::vector<char> moved(edges.count(), 0);
-  std::vector<int> bad = back_off.straighten(back_off.bad(), false, moved);
-  back_off.straighten(bad, true, moved);
+  const std::vector<CadPlace> claimed = bows.place;
+  std::vector<int> bad = unfold(complex, edges, projector, back_off.straighten(back_off.bad(), false), bows, context);
+  while (!bad.empty() && release_from_cad(edges, bad, bows)) bad = unfold(complex, edges, projector, bad, bows, context);
+  back_off.straighten(bad, true);
 
   const int first_mid = complex.point_count();
   std::vector<char> off_cad(edges.count(), 0);
-  for (int e = 0; e < edges.count(); ++e)
-    if (moved[e] && bows.place[e].dim < 3) {
+  for (int e = 0; e < edges.count(); ++e) {
+    bows.place[e] = claimed[e];
+    const double distance = deviation_of(bows, e, projector);
+    // One that went back to the chord is still on a straight curve or a plane.
+    if (distance > kOnCad * bows.length[e]) {
       off_cad[e] = 1;
       result.straightened.push_back(first_mid + e);
       bows.place[e] = CadPlace{};
+    } else {
+      result.deviation = std::max(result.deviation, distance);
     }
+  }
   for (std::size_t q = 0; q < complex.quads.size(); ++q)
     if (std::any_of(edges.of_quad[q].begin(), edges.of_quad[q].end(), [&](int e) { return off_cad[e] != 0; }))
       result.straightened_faces.push_back(complex.quad_face[q]);
@@ -102,12 +116,11 @@ QuadraticMesh make_quadratic(const HexComplex& complex, const Projector& project
   result.straightened_faces.erase(std::unique(result.straightened_faces.begin(), result.straightened_faces.end()),
                                   result.straightened_faces.end());
 
-  result.deviation = deviation_of(bows, projector);
   result.least_jacobian = std::numeric_limits<double>::max();
   result.hexes.resize(complex.hexes.size());
   for (int h = 0; h < complex.hex_count(); ++h) {
     if (h % 1024 == 0) context.check();
-    result.least_jacobian = std::min(result.least_jacobian, least_jacobian(back_off.nodes_of(h)));
+    result.least_jacobian = std::min(result.least_jacobian, least_jacobian(bent_element(complex, edges, bows, h)));
     std::copy(complex.hexes[h].begin(), complex.hexes[h].end(), result.hexes[h].begin());
     for (int e = 0; e < 12; ++e) result.hexes[h][8 + e] = first_mid + edges.of_hex[h][e];
   }

@@ -7,7 +7,7 @@ import json
 
 import FreeCAD
 
-from . import core
+from . import core, heat_flux
 
 GROUP = "Hex mesh"
 RESULTS = "Hex mesh result"
@@ -84,6 +84,7 @@ class HexMesh:
 
     def onDocumentRestored(self, obj):
         self.add_properties(obj)
+        heat_flux.mend()
         if FreeCAD.GuiUp:
             from .view_provider import revive
 
@@ -161,6 +162,7 @@ def create(document, source, name):
         kind = "Fem::FemMeshObjectPython"
     obj = document.addObject(kind, name)
     HexMesh(obj)
+    heat_flux.mend()
     if hasattr(obj, "Shape"):
         obj.Shape = source
     else:

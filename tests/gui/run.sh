@@ -1,6 +1,7 @@
 #!/bin/sh
 # HexFeatureWB - LGPL-2.1-or-later
 # The tests of the window, in a FreeCAD under Xvfb with settings of its own: run.sh [--pictures DIR] [TestClass[.test] ...]
+# or its speed: run.sh --measure [appear] [preview] [cancel]
 # FreeCAD says much; what is shown is what the tests say. FREECAD names another program than `freecad`.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
@@ -9,6 +10,10 @@ if [ "${1:-}" = --pictures ]; then
   HEXFEATURE_GUI_OUT=$(cd "$2" && pwd)
   export HEXFEATURE_GUI_OUT
   shift 2
+fi
+if [ "${1:-}" = --measure ]; then
+  export HEXFEATURE_GUI_MODULE=measure
+  shift
 fi
 home=$(mktemp -d)
 trap 'rm -rf "$home"' EXIT
@@ -30,7 +35,9 @@ END
 code=0
 timeout "${HEXFEATURE_GUI_TIMEOUT:-600}" xvfb-run -a -s "-screen 0 1600x1000x24 +extension GLX +render -noreset" \
   "${FREECAD:-freecad}" -u "$home/user.cfg" -s "$home/system.cfg" -M "$here/../.." "$here/start.py" >"$home/log" 2>&1 || code=$?
-if [ "$code" = 0 ]; then
+if [ -n "${HEXFEATURE_GUI_MODULE:-}" ]; then
+  sed -n "/^FreeCAD [0-9]/,\$p" "$home/log"
+elif [ "$code" = 0 ]; then
   grep -E "^(FreeCAD [0-9]|test_|preview of|cancelled in|[a-z ,0-9-]*: [0-9.]+ s|Ran |OK)" "$home/log" || true
 else
   cat "$home/log"
