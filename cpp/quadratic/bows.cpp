@@ -111,6 +111,19 @@ void put_on_face(Bows& bows, int e, const Projector& projector) {
   bows.place[e].uv = p.uv;
 }
 
+void put_on_edge(Bows& bows, int e, const Projector& projector) {
+  const CurvePoint p = projector.project_to_edge(bows.place[e].entity, bows.chord[e] + bows.bow[e], nullptr);
+  bows.bow[e] = p.point - bows.chord[e];
+  bows.place[e].uv = Vec2(p.t, 0);
+}
+
+Hex20 bent_element(const HexComplex& complex, const MeshEdges& edges, const Bows& bows, int h) {
+  Hex20 x;
+  for (int n = 0; n < 8; ++n) x[n] = complex.points[complex.hexes[h][n]];
+  for (int e = 0; e < 12; ++e) x[8 + e] = bows.chord[edges.of_hex[h][e]] + bows.bow[edges.of_hex[h][e]];
+  return x;
+}
+
 Bows place_mid_sides(const HexComplex& complex, const MeshEdges& edges, const Projector& projector, Context& context) {
   Bows bows;
   bows.bow.assign(edges.count(), Vec3::Zero());

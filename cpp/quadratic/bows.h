@@ -4,6 +4,7 @@
 
 #include "base/context.h"
 #include "mesh/projector.h"
+#include "quadratic/hex20.h"
 #include "quadratic/mesh_edges.h"
 
 namespace hexfeature {
@@ -27,5 +28,10 @@ Bows place_mid_sides(const HexComplex& complex, const MeshEdges& edges, const Pr
 
 /// Put the middle of a boundary edge that lies on a face exactly there, near chord + bow.
 void put_on_face(Bows& bows, int edge, const Projector& projector);
+/// The same on a CAD curve.
+void put_on_edge(Bows& bows, int edge, const Projector& projector);
+
+/// The nodes of a hexahedron with its mid-side nodes at chord + bow.
+Hex20 bent_element(const HexComplex& complex, const MeshEdges& edges, const Bows& bows, int hex);
 
 }  // namespace hexfeature

@@ -45,10 +45,18 @@ Gradients shape_gradients(const Vec3& x) {
   return g;
 }
 
-double determinant(const Hex20& nodes, const Gradients& g) {
+Mat3 jacobian(const Hex20& nodes, const Gradients& g) {
   Mat3 j = Mat3::Zero();
   for (int n = 0; n < 20; ++n) j += nodes[n] * g[n].transpose();
-  return j.determinant();
+  return j;
+}
+
+double determinant(const Hex20& nodes, const Gradients& g) { return jacobian(nodes, g).determinant(); }
+
+/// Derivative of the determinant by the place of one node: cofactors times the node's gradient.
+Vec3 determinant_slope(const Hex20& nodes, const Gradients& g, int node) {
+  const Mat3 j = jacobian(nodes, g);
+  return j.col(1).cross(j.col(2)) * g[node][0] + j.col(2).cross(j.col(0)) * g[node][1] + j.col(0).cross(j.col(1)) * g[node][2];
 }
 
 std::vector<Gradients> grid(std::initializer_list<double> values) {
@@ -60,7 +68,9 @@ std::vector<Gradients> grid(std::initializer_list<double> values) {
 }
 
 constexpr int kSamples = 6;  // of a polynomial of degree 5
-using Coefficients = std::array<double, kSamples * kSamples * kSamples>;
+template <class Value>
+using Grid = std::array<Value, kSamples * kSamples * kSamples>;
+using Coefficients = Grid<double>;
 
 /// From values at six points of an interval to Bernstein coefficients of degree 5.
 struct Interpolation {
@@ -79,15 +89,48 @@ struct Interpolation {
 };
 
 /// Apply a function to each line of six along one direction (stride 36, 6 or 1).
-template <class Function>
-void along(Coefficients& b, int stride, const Function& function) {
+template <class Value, class Function>
+void along(Grid<Value>& b, int stride, const Function& function) {
   for (int i = 0; i < static_cast<int>(b.size()); ++i) {
     if (i / stride % kSamples != 0) continue;
-    double line[kSamples];
+    Value line[kSamples];
     for (int k = 0; k < kSamples; ++k) line[k] = b[i + k * stride];
     function(line);
     for (int k = 0; k < kSamples; ++k) b[i + k * stride] = line[k];
   }
+}
+
+const Interpolation& interpolation() {
+  static const Interpolation once;
+  return once;
+}
+
+/// Gradients at the grid of sampling points.
+const std::vector<Gradients>& samples() {
+  static const std::vector<Gradients> once = [] {
+    std::vector<Gradients> points;
+    for (double r : interpolation().at)
+      for (double s : interpolation().at)
+        for (double t : interpolation().at) points.push_back(shape_gradients(Vec3(r, s, t)));
+    return points;
+  }();
+  return once;
+}
+
+/// From values at the grid to Bernstein coefficients in all three variables.
+template <class Value>
+Grid<Value> to_bernstein(Grid<Value> b) {
+  const auto& matrix = interpolation().to_bernstein;
+  for (int stride : {36, 6, 1})
+    along(b, stride, [&](Value* line) {
+      Value result[kSamples];
+      for (int i = 0; i < kSamples; ++i) {
+        result[i] = matrix(i, 0) * line[0];
+        for (int k = 1; k < kSamples; ++k) result[i] += matrix(i, k) * line[k];
+      }
+      std::copy(result, result + kSamples, line);
+    });
+  return b;
 }
 
 /// Halve the coefficients along one variable by de Casteljau's scheme: the lower or the upper half.
@@ -141,24 +184,15 @@ double least_jacobian(const Hex20& nodes) {
 }
 
 std::array<double, 216> jacobian_bernstein(const Hex20& nodes) {
-  static const Interpolation interpolation;
-  static const std::vector<Gradients> samples = [] {
-    std::vector<Gradients> points;
-    for (double r : interpolation.at)
-      for (double s : interpolation.at)
-        for (double t : interpolation.at) points.push_back(shape_gradients(Vec3(r, s, t)));
-    return points;
-  }();
   Coefficients b;
-  for (std::size_t i = 0; i < b.size(); ++i) b[i] = determinant(nodes, samples[i]);
-  for (int stride : {36, 6, 1})
-    along(b, stride, [&](double* line) {
-      double result[kSamples] = {};
-      for (int i = 0; i < kSamples; ++i)
-        for (int k = 0; k < kSamples; ++k) result[i] += interpolation.to_bernstein(i, k) * line[k];
-      std::copy(result, result + kSamples, line);
-    });
-  return b;
+  for (std::size_t i = 0; i < b.size(); ++i) b[i] = determinant(nodes, samples()[i]);
+  return to_bernstein(b);
+}
+
+std::array<Vec3, 216> jacobian_bernstein_slopes(const Hex20& nodes, int node) {
+  Grid<Vec3> b;
+  for (std::size_t i = 0; i < b.size(); ++i) b[i] = determinant_slope(nodes, samples()[i], node);
+  return to_bernstein(b);
 }
 
 bool proves_positive(const Hex20& nodes, int depth) {

@@ -18,6 +18,10 @@ double least_jacobian(const Hex20& nodes);
 /// Source: Johnen, Remacle, Geuzaine, "Geometrical validity of curvilinear finite elements", J. Comput. Phys. 233, 2013.
 std::array<double, 216> jacobian_bernstein(const Hex20& nodes);
 
+/// Derivatives of these coefficients by the place of node `node`; they do not depend on that place, as a determinant is linear
+/// in one node.
+std::array<Vec3, 216> jacobian_bernstein_slopes(const Hex20& nodes, int node);
+
 /// Whether the determinant is positive on the whole element: proved by the coefficients, on halves of the cube where they do
 /// not decide, at most `depth` times. False when not proved.
 bool proves_positive(const Hex20& nodes, int depth = 3);

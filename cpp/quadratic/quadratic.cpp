@@ -6,25 +6,20 @@
 #include <limits>
 
 #include "quadratic/bows.h"
-#include "quadratic/hex20.h"
 #include "quadratic/mesh_edges.h"
+#include "quadratic/unfold.h"
 
 namespace hexfeature {
 namespace {
 
-constexpr int kHalvings = 4;  // then all the way to the chord
+constexpr int kHalvings = 4;      // then all the way to the chord
+constexpr double kOnCad = 1e-11;  // of the edge's length
 
 class BackOff {
  public:
   BackOff(const HexComplex& complex, const MeshEdges& edges, Bows& bows, Context& context)
       : complex_(complex), edges_(edges), bows_(bows), context_(context) {}
 
-  Hex20 nodes_of(int h) const {
-    Hex20 x;
-    for (int n = 0; n < 8; ++n) x[n] = complex_.points[complex_.hexes[h][n]];
-    for (int e = 0; e < 12; ++e) x[8 + e] = bows_.chord[edges_.of_hex[h][e]] + bows_.bow[edges_.of_hex[h][e]];
-    return x;
-  }
   bool straight(int h) const {
     return std::all_of(edges_.of_hex[h].begin(), edges_.of_hex[h].end(), [&](int e) { return bows_.bow[e].isZero(0); });
   }
@@ -33,7 +28,7 @@ class BackOff {
     std::vector<int> result;
     for (int h = 0; h < complex_.hex_count(); ++h) {
       if (h % 1024 == 0) context_.check();
-      if (!straight(h) && !proves_positive(nodes_of(h))) result.push_back(h);
+      if (!straight(h) && !proves_positive(bent_element(complex_, edges_, bows_, h))) result.push_back(h);
     }
     return result;
   }
@@ -63,16 +58,13 @@ class BackOff {
   Context& context_;
 };
 
-/// Distance of the mid-side nodes from the curve or face that they claim to lie on.
-double deviation_of(const Bows& bows, const Projector& projector) {
-  double largest = 0;
-  for (std::size_t e = 0; e < bows.bow.size(); ++e) {
-    const CadPlace& place = bows.place[e];
-    const Vec3 p = bows.chord[e] + bows.bow[e];
-    if (place.dim == 1) largest = std::max(largest, (projector.project_to_edge(place.entity, p, &place.uv[0]).point - p).norm());
-    if (place.dim == 2) largest = std::max(largest, (projector.project_to_face(place.entity, p, &place.uv).point - p).norm());
-  }
-  return largest;
+/// Distance of the mid-side node of an edge from the curve or face that it claims to lie on; 0 inside.
+double deviation_of(const Bows& bows, int e, const Projector& projector) {
+  const CadPlace& place = bows.place[e];
+  const Vec3 p = bows.chord[e] + bows.bow[e];
+  if (place.dim == 1) return (projector.project_to_edge(place.entity, p, &place.uv[0]).point - p).norm();
+  if (place.dim == 2) return (projector.project_to_face(place.entity, p, &place.uv).point - p).norm();
+  return 0;
 }
 
 }  // namespace
@@ -85,12 +77,14 @@ QuadraticMesh make_quadratic(const HexComplex& complex, const Projector& project
   BackOff back_off(complex, edges, bows, context);
   std::vector<char> moved(edges.count(), 0);
   std::vector<int> bad = back_off.straighten(back_off.bad(), false, moved);
+  bad = unfold(complex, edges, projector, bad, bows, context);
   back_off.straighten(bad, true, moved);
 
   const int first_mid = complex.point_count();
   std::vector<char> off_cad(edges.count(), 0);
   for (int e = 0; e < edges.count(); ++e)
-    if (moved[e] && bows.place[e].dim < 3) {
+    // A straight curve or a plane has the chord's middle on it.
+    if (moved[e] && deviation_of(bows, e, projector) > kOnCad * bows.length[e]) {
       off_cad[e] = 1;
       result.straightened.push_back(first_mid + e);
       bows.place[e] = CadPlace{};
@@ -102,12 +96,12 @@ QuadraticMesh make_quadratic(const HexComplex& complex, const Projector& project
   result.straightened_faces.erase(std::unique(result.straightened_faces.begin(), result.straightened_faces.end()),
                                   result.straightened_faces.end());
 
-  result.deviation = deviation_of(bows, projector);
+  for (int e = 0; e < edges.count(); ++e) result.deviation = std::max(result.deviation, deviation_of(bows, e, projector));
   result.least_jacobian = std::numeric_limits<double>::max();
   result.hexes.resize(complex.hexes.size());
   for (int h = 0; h < complex.hex_count(); ++h) {
     if (h % 1024 == 0) context.check();
-    result.least_jacobian = std::min(result.least_jacobian, least_jacobian(back_off.nodes_of(h)));
+    result.least_jacobian = std::min(result.least_jacobian, least_jacobian(bent_element(complex, edges, bows, h)));
     std::copy(complex.hexes[h].begin(), complex.hexes[h].end(), result.hexes[h].begin());
     for (int e = 0; e < 12; ++e) result.hexes[h][8 + e] = first_mid + edges.of_hex[h][e];
   }

@@ -10,6 +10,7 @@
 #include "hex_fixtures.h"
 #include "quadratic/bows.h"
 #include "quadratic/hex20.h"
+#include "quadratic/unfold.h"
 
 namespace {
 
@@ -152,6 +153,58 @@ TEST_CASE("mid-side nodes of a ring lie on its CAD, and inside on circles") {
       CHECK(std::abs(mid.head<2>().norm() - 0.5 * (ra + rb)) < 1e-3 * sagitta);
     }
   }
+}
+
+TEST_CASE("the coefficients' slopes tell exactly how they change when one node moves") {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> shift(-0.1, 0.1);
+  Hex20 x = cube();
+  for (Vec3& p : x) p += Vec3(shift(random), shift(random), shift(random));
+  const auto before = jacobian_bernstein(x);
+  for (int node : {0, 8, 13, 19}) {
+    const auto slopes = jacobian_bernstein_slopes(x, node);
+    const Vec3 d(0.3, -0.2, 0.4);
+    Hex20 y = x;
+    y[node] += d;
+    const auto after = jacobian_bernstein(y);
+    for (int c = 0; c < 216; ++c) CHECK(after[c] == doctest::Approx(before[c] + slopes[c].dot(d)).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("elements of a shaken ring that bending would fold are unfolded with every mid-side node on the CAD") {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> shift(-0.48, 0.48);
+  int folded = 0, unfolded = 0;
+  for (int trial = 0; trial < 600; ++trial) {
+    HexComplex c = fixtures::box_mesh({1, 2, 2}, Vec3(1, 1, 1));
+    find_feature_edges(c);
+    for (std::size_t v = 0; v < c.points.size(); ++v) {  // on the cylinders and inside nodes go astray, on edges they stay
+      Vec3& p = c.points[v];
+      if (c.place[v].dim >= 2 && p[1] > 0 && p[1] < 1 && p[2] > 0 && p[2] < 1) p += Vec3(0, shift(random), shift(random));
+      p = RingProjector::point(1 + p[0], p[1] * kPi / 2, p[2]);
+    }
+    const MeshEdges edges = number_edges(c);
+    Context context;
+    const RingProjector projector;
+    Bows bows = place_mid_sides(c, edges, projector, context), straight = bows;
+    for (Vec3& b : straight.bow) b.setZero();
+    std::vector<int> bad;
+    bool valid = true;
+    for (int h = 0; h < c.hex_count(); ++h) {
+      valid = valid && proves_positive(bent_element(c, edges, straight, h));
+      if (!proves_positive(bent_element(c, edges, bows, h))) bad.push_back(h);
+    }
+    if (!valid || bad.empty()) continue;
+    ++folded;
+    unfolded += unfold(c, edges, projector, bad, bows, context).empty();
+    for (int e = 0; e < edges.count(); ++e) {
+      const Vec3 p = bows.chord[e] + bows.bow[e];
+      if (bows.place[e].dim == 1) CHECK((projector.project_to_edge(bows.place[e].entity, p, nullptr).point - p).norm() < 1e-12);
+      if (bows.place[e].dim == 2) CHECK((projector.project_to_face(bows.place[e].entity, p, nullptr).point - p).norm() < 1e-12);
+    }
+  }
+  CHECK(folded > 10);
+  CHECK(unfolded == folded);
 }
 
 TEST_CASE("where the CAD's curve would fold its element, the mid-side node leaves the CAD and the report says where") {

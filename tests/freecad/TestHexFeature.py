@@ -34,7 +34,7 @@ class TestMeshObject(DocumentTest):
         for shape in (make_parts.box(), make_parts.bracket().Solids[0], make_parts.filleted_l().Solids[0]):
             document, part = new_part(shape)
             for order in (1, 2):
-                mesh = HexFeatureWB.mesh(part, size=4, order=order)
+                mesh = HexFeatureWB.mesh(part, size=5, order=order)
                 report = json.loads(mesh.Report)
                 self.assertEqual(report["groups_not_found_by_geometry"], {})
                 self.assertGreater(mesh.HexCount, 0)
