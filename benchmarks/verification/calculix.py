@@ -72,6 +72,12 @@ def frequencies(dat):
     return [float(row[2]) for row in rows]
 
 
+def buckling_factors(dat):
+    """Factors on the load, least first."""
+    at = dat.find("B U C K L I N G   F A C T O R   O U T P U T")
+    return [float(row[1]) for row in re.findall(r"^\s+(\d+)\s+(\S+)\s*$", dat[at:], re.MULTILINE)] if at >= 0 else []
+
+
 def _totals(dat):
     """Lines below "total force (fx,fy,fz)" or "total heat"."""
     lines, totals = dat.splitlines(), []

@@ -1,6 +1,7 @@
 # HexFeatureWB - LGPL-2.1-or-later
 """What the window stands on, without it: freecadcmd -P tests/freecad -P tests/parts -P python -t TestHexFeatureWindowless"""
 import os
+import re
 import tempfile
 import unittest
 
@@ -97,6 +98,26 @@ class TestJob(unittest.TestCase):
         self.assertEqual((given_up.result, given_up.error.kind), (None, "cancelled"))
 
 
+class TestForceOnARoundFace(DocumentTest):
+    def test_the_whole_force_lands_on_a_disc_of_few_elements(self):
+        document, part = new_part(make_parts.round_bar())
+        mesh = HexFeatureWB.mesh(part, size=6, order=2)
+        disc = next(n for n, face in enumerate(part.Shape.Faces, 1) if isinstance(face.Surface, Part.Plane))
+        none = [(part, ("Face1",))]
+        study, solver = analysis.static_analysis(document, mesh, none, [(part, ("Face%d" % disc,))], 1000.0)
+        from femtools.ccxtools import FemToolsCcx
+
+        with tempfile.TemporaryDirectory() as folder:
+            tools = FemToolsCcx(study, solver, test_mode=False)
+            tools.update_objects()
+            tools.setup_working_dir(folder)
+            tools.write_inp_file()
+            with open(tools.inp_file_name) as f:
+                rows = re.findall(r"^\d+, *[123], *(\S+)$", f.read().partition("*CLOAD")[2], re.MULTILINE)
+        self.assertGreater(len(rows), 20)
+        self.assertAlmostEqual(abs(sum(map(float, rows))), 1000.0, delta=1.0)
+
+
 class TestMissingExtension(unittest.TestCase):
     def test_says_what_to_do(self):
         import subprocess
@@ -191,6 +212,19 @@ class TestConstraints(DocumentTest):
         elements = [line.split(",")[0] for line in text.splitlines() if ",P" in line.replace(" ", "") and line[:1].isdigit()]
         self.assertEqual(len(elements), len(self.groups["Face6"]))
         self.assertEqual(len(set(elements)), len(elements))
+
+    def test_a_heat_flux_lies_on_every_element_of_the_face_once(self):
+        constraint = self.make.makeConstraintHeatflux(self.document, "Heated")
+        self.solver.AnalysisType = "thermomech"  # the only one whose writer knows heat
+        constraint.ConstraintType = "DFlux"
+        try:
+            constraint.DFlux = 1000.0
+        except TypeError:  # FreeCAD 1.1: a quantity
+            constraint.DFlux = "1000 W/m^2"
+        text, _ = self.written(constraint, [(self.part, ("Face6",))])
+        rows = [line.split(",") for line in text.splitlines() if re.match(r"\d+, *S\d,", line)]
+        self.assertEqual(len({row[0] for row in rows}), len(self.groups["Face6"]))
+        self.assertEqual(len(rows), len(self.groups["Face6"]))
 
     def test_what_geometry_finds_on_every_face_edge_and_vertex(self):
         # The writers of the other constraints ask the mesh these questions.
