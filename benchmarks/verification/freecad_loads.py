@@ -60,6 +60,12 @@ class Case:
         others = [n for n, f in enumerate(self.faces) if n != self.fixed and isinstance(f.Surface, Part.Plane)]
         return max(others, key=lambda n: (self.faces[n].CenterOfMass - centre).Length)
 
+    def face_apart(self):
+        """The largest plane face that does not touch the far one: at a held node CalculiX's reaction lacks a tie's force."""
+        far = self.faces[self.far_face()]
+        apart = [n for n, f in enumerate(self.faces) if isinstance(f.Surface, Part.Plane) and f.distToShape(far)[0] > 1e-6]
+        return max(apart or [self.fixed], key=lambda n: self.faces[n].Area)
+
     def solve(self, tag, *constraints, heat=False):
         """Reaction's force and moment about the origin over all fixed nodes, and the largest displacement; of heat: what flows out."""
         document = self.document
@@ -276,7 +282,7 @@ def pressed_pads(case, size, folder):
 
     shape, outer, pair, normal = padded(case)
     both = Case(shape, size, folder)
-    both.fixed = case.fixed
+    both.fixed = case.face_apart()
     force, moment = (vector * 10.0 for vector in pressure_of(both.faces[outer]))
     for kind, make in (("tie", "makeConstraintTie"), ("contact", "makeConstraintContact")):
         document = both.document
