@@ -216,6 +216,9 @@ class TestConstraints(DocumentTest):
     def test_a_heat_flux_lies_on_every_element_of_the_face_once(self):
         constraint = self.make.makeConstraintHeatflux(self.document, "Heated")
         self.solver.AnalysisType = "thermomech"  # the only one whose writer knows heat
+        steel = next(member for member in self.study.Group if member.Name.startswith("Steel"))
+        steel.Material = dict(steel.Material, ThermalConductivity="50 W/m/K", ThermalExpansionCoefficient="1e-5 m/m/K",
+                              SpecificHeat="500 J/kg/K")
         constraint.ConstraintType = "DFlux"
         try:
             constraint.DFlux = 1000.0
