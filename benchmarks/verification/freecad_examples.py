@@ -6,7 +6,7 @@ Each example with solids is solved three times: with the mesh that comes with it
 10-node tetrahedra of about twice as many nodes as ours, since the examples' own meshes are coarse. Compared are the largest
 displacement (without rigid motions that the example leaves free), the first frequency, the buckling factor, or with heat the
 displacement and the temperature. Leaves OUT_DIR/examples.json. Exit code 1 when ours differs from the known or the fine one's
-by more than 1%.
+by more than 2%.
 """
 import importlib
 import json
@@ -56,7 +56,7 @@ EXAMPLES = {
 }
 #: About so many elements; several materials: FreeCAD then looks for each node in each solid, which takes 10 ms a node.
 ELEMENTS, FEW_ELEMENTS = 600, 150
-LIMIT = 0.01
+LIMIT = 0.02
 
 
 def members(document, kind):

@@ -7,7 +7,9 @@ import time
 
 import numpy as np
 
+import mapped
 import model as fe
+from deck import SIDES20
 
 
 def hexahedra(shape, size, path, element_type):
@@ -136,24 +138,33 @@ def _own_numbers(gmsh, dimension, entities):
     return result
 
 
-def _write_inp(model, cell_solid):
-    """The tetrahedra with the same names as ours."""
+def one_block(problem, shape, path, nodes_wanted):
+    """20-node hexahedra by formula, a block a solid. Leaves `path` (.inp)."""
+    model, cell_solid = mapped.blocks(problem, shape, nodes_wanted, path)
+    _write_inp(model, cell_solid, "C3D20R", np.array(SIDES20))
+    return model
+
+
+def _write_inp(model, cell_solid, element="C3D10", local_sides=fe.TET10_SIDES):
+    """The elements with the same names as ours; CalculiX writes a 20-node element in two lines."""
+    corners = 4 if element == "C3D20R" else 3
     with open(model.path, "w") as out:
         out.write("*NODE, NSET=Nodes\n")
         out.writelines("%d,%.13g,%.13g,%.13g\n" % (n, *p) for n, p in enumerate(model.points.tolist(), 1))
         for solid in np.unique(cell_solid):
-            out.write("*ELEMENT, TYPE=C3D10, ELSET=Solid%d\n" % solid)
+            out.write("*ELEMENT, TYPE=%s, ELSET=Solid%d\n" % (element, solid))
             for cell in np.flatnonzero(cell_solid == solid).tolist():
-                out.write(",".join(map(str, [cell + 1, *(model.cells[cell] + 1)])) + "\n")
+                row = [str(n) for n in (cell + 1, *(model.cells[cell] + 1))]
+                out.write(",".join(row[:11]) + ",\n" * (len(row) > 11) + ",".join(row[11:]) + "\n")
         for kind, sets in (("Face", model.sides), ("Edge", model.edges)):
             for number, nodes in sorted(sets.items()):
                 out.write("*NSET, NSET=%s%d\n" % (kind, number))
                 out.writelines("%d,\n" % (n + 1) for n in np.unique(nodes))
         side_of = {}
-        for side, corners in enumerate(fe.TET10_SIDES[:, :3], 1):
-            for cell, key in enumerate(np.sort(model.cells[:, corners], axis=1).tolist(), 1):
+        for side, nodes in enumerate(local_sides[:, :corners], 1):
+            for cell, key in enumerate(np.sort(model.cells[:, nodes], axis=1).tolist(), 1):
                 side_of[tuple(key)] = (cell, side)
-        for number, triangles in sorted(model.sides.items()):
+        for number, faces in sorted(model.sides.items()):
             out.write("*SURFACE, NAME=Face%d, TYPE=ELEMENT\n" % number)
-            for key in np.sort(triangles[:, :3], axis=1).tolist():
+            for key in np.sort(faces[:, :corners], axis=1).tolist():
                 out.write("%d,S%d\n" % side_of[tuple(key)])
