@@ -74,7 +74,7 @@ bool is_better(const SmoothReport& a, const Worth& worth_a, const SmoothReport& 
 /// last inserted first, then without all of them, and the better mesh is kept. What is far from every sheet is not their doing: then
 /// nothing is tried. Where elements stay inverted, once without all the sheets there: such a mesh is seldom saved, and each trial of it is
 /// dear.
-HexComplex smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shape, const SolidTask& task) {
+HexComplex smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shape, const SolidTask& task, Worth& best_worth) {
   Run& run = task.run;
   const Geometry& geometry = task.part.geometry();
   constexpr int kTrials = 6;
@@ -87,7 +87,6 @@ HexComplex smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shap
   Result& result = run.result;
 
   HexComplex best;
-  Worth best_worth;
   std::vector<std::vector<int>> suspects, together;  // names; the next one to leave out last
   for (int trial = 0; trial < kTrials; ++trial) {
     SheetOptions tried = sheets;
@@ -173,8 +172,9 @@ std::vector<int> faces_near_inverted(const HexComplex& complex) {
   return {faces.begin(), faces.end()};
 }
 
-/// Boundary fitting, sheets and smoothing; where elements stay inverted, again without the inner CAD edges beside them, as long as
-/// that makes fewer. Throws MeshingError(NoMesh, "smooth") when some stay.
+/// Boundary fitting, sheets and smoothing, first with free turns; where that does not keep the whole part, without. Where elements stay
+/// inverted, again without the inner CAD edges beside them, as long as that makes fewer. Throws MeshingError(NoMesh, "smooth") when some
+/// stay.
 HexComplex fit_and_smooth(const HexComplex& lattice, const SurfaceMesh& mesh, const FeatureShape& shape, const SolidTask& task) {
   Run& run = task.run;
   const Geometry& geometry = task.part.geometry();
@@ -182,14 +182,21 @@ HexComplex fit_and_smooth(const HexComplex& lattice, const SurfaceMesh& mesh, co
   FitOptions fit;
   fit.size = run.options.size;
   fit.smooth_edges = run.options.capture == "all";
+  fit.free_turns = run.options.sheets;
   for (int round = 1, least = std::numeric_limits<int>::max();; ++round) {
     run.begin("fit");
     HexComplex complex = lattice;
-    fit_boundary(complex, mesh, shape, geometry, fit, run.context);
+    const int turned = fit_boundary(complex, mesh, shape, geometry, fit, run.context);
     run.result.mesh = complex;
     run.complete();
-    complex = smooth_with_sheets(complex, shape, task);
+    Worth worth;
+    complex = smooth_with_sheets(complex, shape, task, worth);
     const int inverted = run.result.smoothing.inverted;
+    if (turned > 0 && !(inverted == 0 && worth.faithful)) {
+      fit.free_turns = false;
+      --round;
+      continue;
+    }
     if (inverted == 0) return complex;
     std::vector<int> released = fit.released;
     for (int e : edges_to_release(complex, geometry)) released.push_back(e);
