@@ -16,7 +16,7 @@ namespace {
 constexpr double kGoodEnough = 0.5;
 
 /// With another method to come, elements of all the meshes of one labelling that stay inverted before it is given up.
-constexpr int kVainWork = 30000;
+constexpr int kVainWork = 15000;
 
 /// What the meshes of one labelling came to so far.
 struct Trials {
@@ -138,6 +138,7 @@ HexComplex smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shap
     result.smoothing = smoothed;
     trials.worth = worth;
     if (smoothed.inverted > 0 && trials.once) break;
+    if (worth.edges_lost && run.options.method == "auto") break;  // the next method will do better
   }
   return best;
 }
@@ -190,7 +191,7 @@ std::vector<int> faces_near_inverted(const HexComplex& complex) {
   return {faces.begin(), faces.end()};
 }
 
-/// Boundary fitting, sheets and smoothing, first with free turns; where that does not keep the whole part, without. Where elements stay
+/// Boundary fitting, sheets and smoothing, first with free turns; where elements stay inverted with these, without. Where elements stay
 /// inverted, again without the inner CAD edges beside them, as long as that makes fewer. Throws MeshingError(NoMesh, "smooth") when some
 /// stay.
 HexComplex fit_and_smooth(const HexComplex& lattice, const SurfaceMesh& mesh, const FeatureShape& shape, const SolidTask& task) {
@@ -211,7 +212,7 @@ HexComplex fit_and_smooth(const HexComplex& lattice, const SurfaceMesh& mesh, co
     trials.once = turned > 0;
     complex = smooth_with_sheets(complex, shape, task, trials);
     const int inverted = run.result.smoothing.inverted;
-    if (turned > 0 && !(inverted == 0 && trials.worth.faithful)) {
+    if (turned > 0 && inverted > 0) {
       fit.free_turns = false;
       --round;
       continue;
