@@ -16,10 +16,13 @@ class Solution:
     fields: dict = field(default_factory=dict)
     frequencies: list = field(default_factory=list)
     totals: list = field(default_factory=list)  #: of *NODE PRINT, TOTALS=ONLY, in order: 3 components, or 1 of heat
+    #: of *EL PRINT at k integration points: elem -> (k,), S -> (k, 6) xx yy zz xy xz yz, COORD -> (k, 3)
+    at_points: dict = field(default_factory=dict)
+    volumes: dict = field(default_factory=dict)  #: of *EL PRINT, EVOL: element number -> volume
     seconds: float = 0.0  #: processor time
 
 
-def run(path, threads=2):
+def run(path, threads=1):
     """Solve `path` (.inp). Raises RuntimeError with CalculiX's own words when it did not finish, or warned of the mesh."""
     folder, name = os.path.split(os.path.splitext(path)[0])
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -33,7 +36,8 @@ def run(path, threads=2):
     seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
     stem = os.path.splitext(path)[0]
     dat = open(stem + ".dat").read() if os.path.exists(stem + ".dat") else ""
-    return Solution(read_frd(stem + ".frd") if os.path.exists(stem + ".frd") else {}, frequencies(dat), _totals(dat), seconds)
+    return Solution(read_frd(stem + ".frd") if os.path.exists(stem + ".frd") else {}, frequencies(dat), _totals(dat),
+                    *_at_points(dat), seconds)
 
 
 def read_frd(path):
@@ -70,6 +74,31 @@ def frequencies(dat):
         return []
     rows = re.findall(r"^\s+\d+\s+(\S+)\s+(\S+)\s+(\S+)\s+(\S+)\s*$", dat[at:dat.find("P A R T", at)], re.MULTILINE)
     return [float(row[2]) for row in rows]
+
+
+def buckling_factors(dat):
+    """Factors on the load, least first."""
+    at = dat.find("B U C K L I N G   F A C T O R   O U T P U T")
+    return [float(row[1]) for row in re.findall(r"^\s+(\d+)\s+(\S+)\s*$", dat[at:], re.MULTILINE)] if at >= 0 else []
+
+
+def _at_points(dat):
+    """(values at integration points, volumes of elements)."""
+    found, volumes, rows = {"elem": [], "S": [], "COORD": []}, {}, None
+    for line in dat.splitlines():
+        if "(elem" in line:
+            rows = "S" if "stresses" in line else "COORD" if "coord" in line else "EVOL" if "volume" in line else None
+        elif rows and line.strip():
+            row = line.split()
+            if not row[0].isdigit():
+                rows = None
+            elif rows == "EVOL":
+                volumes[int(row[0])] = float(row[1])
+            else:
+                found[rows].append([float(v) for v in row[2:]])
+                if rows == "S":
+                    found["elem"].append(int(row[0]))
+    return {name: np.array(values) for name, values in found.items() if values}, volumes
 
 
 def _totals(dat):

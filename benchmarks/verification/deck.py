@@ -13,17 +13,20 @@ NODES = np.vstack([CORNERS, [CORNERS[list(edge)].mean(axis=0) for edge in EDGES]
 
 
 class Deck:
-    """points (n, 3) by node number - 1, cells (m, 20); external (n, 3): nodal forces of *CLOAD and *DLOAD (P, GRAV, CENTRIF)."""
+    """points (n, 3) by node number - 1, cells (m, 20); external (n, 3): nodal forces of *CLOAD and *DLOAD (P, GRAV, CENTRIF);
+    heat (n,): nodal heat flows of *DFLUX (S); sets: name of an *NSET -> node numbers."""
 
     def __init__(self, path, density):
         nodes, elements, loads, keyword = [], [], [], ""
-        pending = []
+        pending, self.sets, members = [], {}, []
         for line in open(path):
             line = line.strip()
             if line.startswith("**") or not line:
                 continue
             if line.startswith("*"):
                 keyword = line.upper().replace(" ", "")
+                if keyword.startswith("*NSET,NSET="):
+                    members = self.sets.setdefault(line.split("=")[1].strip(), [])
                 continue
             row = [word.strip() for word in line.split(",")]
             if keyword.startswith("*NODE,"):
@@ -33,7 +36,9 @@ class Deck:
                 if len(pending) == 21:
                     elements.append(pending)
                     pending = []
-            elif keyword.startswith(("*CLOAD", "*DLOAD")):
+            elif keyword.startswith("*NSET,NSET="):
+                members += [int(word) for word in row if word.isdigit()]
+            elif keyword.startswith(("*CLOAD", "*DLOAD", "*DFLUX")):
                 loads.append((keyword[:6], row))
         numbers = np.array(nodes)
         self.points = np.zeros((int(numbers[:, 0].max()), 3))
@@ -41,10 +46,11 @@ class Deck:
         self.cells = np.array(elements)[:, 1:] - 1
         self.row = {element[0]: k for k, element in enumerate(elements)}
         self.external = np.zeros_like(self.points)
+        self.heat = np.zeros(len(self.points))
         self._add(loads, density)
 
     def _add(self, loads, density):
-        pressed = {}
+        sides = {}  # (kind, size) -> nodes of the element faces
         for kind, row in loads:
             if kind == "*CLOAD":
                 self.external[int(row[0]) - 1, int(row[1]) - 1] += float(row[2])
@@ -55,13 +61,17 @@ class Deck:
                 at, axis = np.array(row[3:6], float), np.array(row[6:9], float)
                 self._add_body(lambda x: density * float(row[2]) * ((x - at) - np.outer((x - at) @ axis, axis)))
             else:
-                pressed.setdefault(float(row[2]), []).append(self.cells[self.row[int(row[0])]][list(SIDES20[int(row[1][1:]) - 1])])
-        for pressure, sides in pressed.items():
-            sides = np.array(sides)
+                face = self.cells[self.row[int(row[0])]][list(SIDES20[int(row[1][1:]) - 1])]
+                sides.setdefault((kind, float(row[2])), []).append(face)
+        for (kind, value), faces in sides.items():
+            faces = np.array(faces)
             for shape, slope_r, slope_s, weight in fe.face_rule(8):
-                area = np.cross(*(np.einsum("n,fnc->fc", slope, self.points[sides]) for slope in (slope_r, slope_s)))
-                for n, value in enumerate(shape):
-                    np.add.at(self.external, sides[:, n], -pressure * weight * value * area)
+                area = weight * np.cross(*(np.einsum("n,fnc->fc", slope, self.points[faces]) for slope in (slope_r, slope_s)))
+                for n, share in enumerate(shape):
+                    if kind == "*DFLUX":
+                        np.add.at(self.heat, faces[:, n], value * share * np.linalg.norm(area, axis=1))
+                    else:
+                        np.add.at(self.external, faces[:, n], -value * share * area)
 
     def _add_body(self, density):
         """Forces of a force per volume, density(points (k, 3)), by 27 integration points."""

@@ -1,12 +1,15 @@
 # HexFeatureWB - LGPL-2.1-or-later
 """One part, two meshers: ours, and Gmsh's quadratic tetrahedra with about as many nodes. Both give a Model and an .inp file."""
+import contextlib
 import os
 import tempfile
 import time
 
 import numpy as np
 
+import mapped
 import model as fe
+from deck import SIDES20
 
 
 def hexahedra(shape, size, path, element_type):
@@ -53,8 +56,23 @@ def tetrahedra(shape, size, path, nodes_wanted=None):
     return model
 
 
-def _gmsh(shape, size):
-    """(points, cells in Abaqus order, solid of each cell, {face: triangles}, {edge: nodes}, seconds) with the shape's own numbers."""
+def tetrahedra_file(shape, size, path, nodes_wanted):
+    """Gmsh's own file of the shape with 10-node tetrahedra and 6-node triangles, within 15% of so many nodes or the third try."""
+    import gmsh
+
+    for _ in range(3):
+        with _meshed(shape, size):
+            count = len(gmsh.model.mesh.getNodes()[0])
+            gmsh.option.setNumber("Mesh.SaveAll", 1)
+            gmsh.write(path)
+        if abs(count / nodes_wanted - 1) < 0.15:
+            return
+        size *= (count / nodes_wanted) ** (1 / 2.9)
+
+
+@contextlib.contextmanager
+def _meshed(shape, size):
+    """Gmsh with the shape meshed; yields the seconds that took."""
     import gmsh
 
     gmsh.initialize([], False)
@@ -73,7 +91,16 @@ def _gmsh(shape, size):
         except Exception as error:  # the mesh is made, but its curved elements could not be made as good as Gmsh would like
             if "critical value" not in str(error):
                 raise
-        seconds = time.process_time() - started
+        yield time.process_time() - started
+    finally:
+        gmsh.finalize()
+
+
+def _gmsh(shape, size):
+    """(points, cells in Abaqus order, solid of each cell, {face: triangles}, {edge: nodes}, seconds) with the shape's own numbers."""
+    import gmsh
+
+    with _meshed(shape, size) as seconds:
         tags, coordinates, _ = gmsh.model.mesh.getNodes()
         index = np.zeros(int(tags.max()) + 1, dtype=int)
         index[tags] = np.arange(len(tags))
@@ -93,8 +120,6 @@ def _gmsh(shape, size):
             if nodes:
                 edges[number] = np.unique(index[nodes[0]])
         return coordinates.reshape(-1, 3), np.vstack(cells), np.hstack(cell_solid), triangles, edges, seconds
-    finally:
-        gmsh.finalize()
 
 
 def _own_numbers(gmsh, dimension, entities):
@@ -113,24 +138,33 @@ def _own_numbers(gmsh, dimension, entities):
     return result
 
 
-def _write_inp(model, cell_solid):
-    """The tetrahedra with the same names as ours."""
+def one_block(problem, shape, path, nodes_wanted):
+    """20-node hexahedra by formula, a block a solid. Leaves `path` (.inp)."""
+    model, cell_solid = mapped.blocks(problem, shape, nodes_wanted, path)
+    _write_inp(model, cell_solid, "C3D20R", np.array(SIDES20))
+    return model
+
+
+def _write_inp(model, cell_solid, element="C3D10", local_sides=fe.TET10_SIDES):
+    """The elements with the same names as ours; CalculiX writes a 20-node element in two lines."""
+    corners = 4 if element == "C3D20R" else 3
     with open(model.path, "w") as out:
         out.write("*NODE, NSET=Nodes\n")
         out.writelines("%d,%.13g,%.13g,%.13g\n" % (n, *p) for n, p in enumerate(model.points.tolist(), 1))
         for solid in np.unique(cell_solid):
-            out.write("*ELEMENT, TYPE=C3D10, ELSET=Solid%d\n" % solid)
+            out.write("*ELEMENT, TYPE=%s, ELSET=Solid%d\n" % (element, solid))
             for cell in np.flatnonzero(cell_solid == solid).tolist():
-                out.write(",".join(map(str, [cell + 1, *(model.cells[cell] + 1)])) + "\n")
+                row = [str(n) for n in (cell + 1, *(model.cells[cell] + 1))]
+                out.write(",".join(row[:11]) + ",\n" * (len(row) > 11) + ",".join(row[11:]) + "\n")
         for kind, sets in (("Face", model.sides), ("Edge", model.edges)):
             for number, nodes in sorted(sets.items()):
                 out.write("*NSET, NSET=%s%d\n" % (kind, number))
                 out.writelines("%d,\n" % (n + 1) for n in np.unique(nodes))
         side_of = {}
-        for side, corners in enumerate(fe.TET10_SIDES[:, :3], 1):
-            for cell, key in enumerate(np.sort(model.cells[:, corners], axis=1).tolist(), 1):
+        for side, nodes in enumerate(local_sides[:, :corners], 1):
+            for cell, key in enumerate(np.sort(model.cells[:, nodes], axis=1).tolist(), 1):
                 side_of[tuple(key)] = (cell, side)
-        for number, triangles in sorted(model.sides.items()):
+        for number, faces in sorted(model.sides.items()):
             out.write("*SURFACE, NAME=Face%d, TYPE=ELEMENT\n" % number)
-            for key in np.sort(triangles[:, :3], axis=1).tolist():
+            for key in np.sort(faces[:, :corners], axis=1).tolist():
                 out.write("%d,S%d\n" % side_of[tuple(key)])

@@ -2,13 +2,15 @@
 """The verification set: parts, decks for CalculiX and known solutions. Units: mm, N, MPa, t, s, K.
 
 A problem's `deck(model)` gives what follows the mesh in the .inp file, its `errors(model, solution)` gives {quantity: relative
-error}, the one that is judged first; "field" is the root mean square over all nodes, over the largest value.
+error}, the one that is judged first; "field" is the root mean square over all nodes, over the largest value; "stress" that of
+all six stresses at the integration points, by volume, over the exact ones' own.
 """
 import math
 from dataclasses import dataclass
 
 import numpy as np
 
+import mapped
 import shapes
 
 E, NU, RHO = 210000.0, 0.3, 7.9e-9
@@ -25,13 +27,19 @@ class Problem:
     edges: dict = None
     elements: tuple = ("C3D20R",)
 
+    def mapped(self):
+        """The part as blocks by formula (mapped.blocks); None where ours is such a mesh, or no block has its shape."""
+        return None
+
     def section(self, model, nu=NU, more=""):
         solids = "".join("*SOLID SECTION, ELSET=Solid%d, MATERIAL=STEEL\n" % (n + 1) for n in range(model.solids))
         return "*MATERIAL, NAME=STEEL\n*ELASTIC\n%r, %r\n*DENSITY\n%r\n%s%s" % (E, nu, RHO, more, solids)
 
 
-def static(body, frd="*NODE FILE\nU\n*EL FILE\nS\n"):
-    return "*STEP\n*STATIC\n%s%s*END STEP\n" % (body, frd)
+def static(body, solids=0, frd="*NODE FILE\nU\n*EL FILE\nS\n"):
+    """A static step; solids: of so many the stresses at the integration points are written too."""
+    points = "".join("*EL PRINT, ELSET=Solid%d\nS, COORD, EVOL\n" % (n + 1) for n in range(solids))
+    return "*STEP\n*STATIC\n%s%s%s*END STEP\n" % (body, frd, points)
 
 
 def relative(found, exact):
@@ -41,6 +49,22 @@ def relative(found, exact):
 def field_error(found, exact):
     used = np.isfinite(found).all(axis=1)
     return float(np.sqrt(((found - exact)[used] ** 2).sum(axis=1).mean()) / np.linalg.norm(exact[used], axis=1).max())
+
+
+def stress_error(solution, exact):
+    """exact: function of points (k, 3) -> (k, 6), xx yy zz xy xz yz."""
+    found, known = solution.at_points["S"], exact(solution.at_points["COORD"])
+    element = solution.at_points["elem"]
+    weight = np.array([solution.volumes[e] for e in element]) / np.bincount(element)[element]
+    weight = weight[:, None] * [1, 1, 1, 2, 2, 2]
+    return float(np.sqrt((weight * (found - known) ** 2).sum() / (weight * known**2).sum()))
+
+
+def polar_stress(points, along, hoop, axial):
+    """(k, 6) of stresses along the radius from the z axis, round it and along it."""
+    c, s = (points[:, :2] / np.linalg.norm(points[:, :2], axis=1)[:, None]).T
+    zero = np.zeros(len(points))
+    return np.column_stack([along * c * c + hoop * s * s, along * s * s + hoop * c * c, axial + zero, (along - hoop) * c * s, zero, zero])
 
 
 def near(model, condition):
@@ -89,17 +113,25 @@ class ThickCylinder(Problem):
     def shape(self):
         return shapes.quarter_ring(self.A, self.B, self.HEIGHT)
 
+    def mapped(self):
+        return [(mapped.ring(self.A, self.B, self.HEIGHT), (self.B - self.A, (self.A + self.B) / 2 * math.pi / 2, self.HEIGHT),
+                 {name: name for name in mapped.NAMES})]
+
     def held(self, model):
         """Symmetry, and no strain along the axis."""
         return "*BOUNDARY\n" + "".join("%s, %d, %d\n" % (model.face(f), d, d) for f, d in (("x0", 1), ("y0", 2), ("low", 3), ("top", 3)))
 
     def deck(self, model):
-        return self.section(model) + static(self.held(model) + "*DSLOAD\n%s, P, %r\n" % (model.face("inner"), self.PRESSURE))
+        return self.section(model) + static(self.held(model) + "*DSLOAD\n%s, P, %r\n" % (model.face("inner"), self.PRESSURE), 1)
 
     def exact(self, r):
-        """Radial displacement and hoop stress under inner pressure in plane strain (Lamé)."""
+        """Radial displacement, hoop and radial stress under inner pressure in plane strain (Lamé)."""
         k = self.PRESSURE * self.A**2 / (self.B**2 - self.A**2)
-        return (1 + NU) / E * k * ((1 - 2 * NU) * r + self.B**2 / r), k * (1 + self.B**2 / r**2)
+        return (1 + NU) / E * k * ((1 - 2 * NU) * r + self.B**2 / r), k * (1 + self.B**2 / r**2), k * (1 - self.B**2 / r**2)
+
+    def exact_stress(self, points):
+        _, hoop, along = self.exact(np.linalg.norm(points[:, :2], axis=1))
+        return polar_stress(points, along, hoop, NU * (hoop + along))
 
     def errors(self, model, solution):
         inner, u, s = model.nodes("inner"), solution.fields["U"], solution.fields["S"]
@@ -108,7 +140,8 @@ class ThickCylinder(Problem):
         on_x = inner[np.abs(model.points[inner, 1]) < 1e-6]
         on_y = inner[np.abs(model.points[inner, 0]) < 1e-6]
         hoop = np.r_[s[on_x, 1], s[on_y, 0]].mean()
-        return {"hoop stress": relative(hoop, self.exact(self.A)[1]), "field": field_error(u, exact_u)}
+        return {"hoop stress": relative(hoop, self.exact(self.A)[1]), "field": field_error(u, exact_u),
+                "stress": stress_error(solution, self.exact_stress)}
 
 
 class RotatingDisc(ThickCylinder):
@@ -116,14 +149,14 @@ class RotatingDisc(ThickCylinder):
 
     def deck(self, model):
         spin = "*DLOAD\nSolid1, CENTRIF, %r, 0, 0, 0, 0, 0, 1\n" % self.OMEGA**2
-        return self.section(model) + static(self.held(model) + spin)
+        return self.section(model) + static(self.held(model) + spin, 1)
 
     def exact(self, r):
         a2, b2, nu, e = self.A**2, self.B**2, NU / (1 - NU), E / (1 - NU**2)  # plane strain
         k = (3 + nu) / 8 * RHO * self.OMEGA**2
         along = k * (a2 + b2 - a2 * b2 / r**2 - r**2)
         hoop = k * (a2 + b2 + a2 * b2 / r**2 - (1 + 3 * nu) / (3 + nu) * r**2)
-        return r / e * (hoop - nu * along), hoop
+        return r / e * (hoop - nu * along), hoop, along
 
 
 class Kirsch(Problem):
@@ -147,17 +180,32 @@ class Kirsch(Problem):
         rows = ["%s, %d, %d, %r\n" % (f, d, d, v) for f, d, v in held]
         for n in np.union1d(model.nodes("right"), model.nodes("back")).tolist():
             rows += ["%d, %d, %d, %.12g\n" % (n + 1, d, d, u[n, d - 1]) for d in (1, 2) if abs(model.points[n, d - 1]) > 1e-9]
-        return self.section(model) + static("*BOUNDARY\n" + "".join(rows))
+        return self.section(model) + static("*BOUNDARY\n" + "".join(rows), 1)
+
+    def exact_stress(self, points):
+        a2 = self.A**2 / (points[:, 0] ** 2 + points[:, 1] ** 2)
+        t = np.arctan2(points[:, 1], points[:, 0])
+        c2, c4, s2, s4 = np.cos(2 * t), np.cos(4 * t), np.sin(2 * t), np.sin(4 * t)
+        xx = self.S * (1 - a2 * (1.5 * c2 + c4) + 1.5 * a2**2 * c4)
+        yy = self.S * (-a2 * (0.5 * c2 - c4) - 1.5 * a2**2 * c4)
+        xy = self.S * (-a2 * (0.5 * s2 + s4) + 1.5 * a2**2 * s4)
+        zero = np.zeros(len(t))
+        return np.column_stack([xx, yy, NU * (xx + yy), xy, zero, zero])
 
     def errors(self, model, solution):
         top = near(model, lambda p: (np.abs(p[:, 0]) < 1e-6) & (np.abs(p[:, 1] - self.A) < 1e-6))
         return {"stress concentration": relative(solution.fields["S"][top, 0].mean() / self.S, 3.0),
-                "field": field_error(solution.fields["U"], self.exact_u(model.points))}
+                "field": field_error(solution.fields["U"], self.exact_u(model.points)),
+                "stress": stress_error(solution, self.exact_stress)}
 
 
 class ThickPlate(Problem):
     def shape(self):
         return shapes.quarter_elliptic_plate((2000.0, 1000.0), (3250.0, 2750.0), 600.0)
+
+    def mapped(self):
+        at = mapped.elliptic((2000.0, 1000.0), (3250.0, 2750.0), 600.0)
+        return [(at, (1500.0, 3600.0, 600.0), {name: name.split()[0] for name in self.faces})]
 
     def deck(self, model):
         held = [(model.face("x0 low"), 1), (model.face("x0 high"), 1), (model.face("y0 low"), 2), (model.face("y0 high"), 2)]
@@ -178,7 +226,15 @@ class Sphere(Problem):
 
     def deck(self, model):
         rows = "".join("%s, %d, %d\n" % (model.face(f), d, d) for f, d in (("x0", 1), ("y0", 2), ("z0", 3)))
-        return self.section(model) + static("*BOUNDARY\n%s*DSLOAD\n%s, P, %r\n" % (rows, model.face("inner"), self.PRESSURE))
+        return self.section(model) + static("*BOUNDARY\n%s*DSLOAD\n%s, P, %r\n" % (rows, model.face("inner"), self.PRESSURE), 1)
+
+    def exact_stress(self, points):
+        k = self.PRESSURE * self.A**3 / (self.B**3 - self.A**3)
+        r = np.linalg.norm(points, axis=1)
+        along, hoop = k * (1 - self.B**3 / r**3), k * (1 + self.B**3 / (2 * r**3))
+        n = points / r[:, None]
+        return np.column_stack([(along - hoop) * n[:, i] * n[:, j] + (hoop if i == j else 0)
+                                for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))])
 
     def errors(self, model, solution):
         k = self.PRESSURE * self.A**3 / (self.B**3 - self.A**3)
@@ -191,7 +247,8 @@ class Sphere(Problem):
         along += 2 * (xy * n[:, 0] * n[:, 1] + yz * n[:, 1] * n[:, 2] + zx * n[:, 2] * n[:, 0])
         hoop = (xx + yy + zz - along) / 2
         exact = k * (1 + self.B**3 / (2 * self.A**3))
-        return {"hoop stress": float(np.sqrt(((hoop - exact) ** 2).mean())) / exact, "field": field_error(solution.fields["U"], exact_u)}
+        return {"hoop stress": float(np.sqrt(((hoop - exact) ** 2).mean())) / exact, "field": field_error(solution.fields["U"], exact_u),
+                "stress": stress_error(solution, self.exact_stress)}
 
 
 class HotWall(Problem):
@@ -289,13 +346,25 @@ class PressFit(Problem):
         rings = [shapes.quarter_ring(self.A, self.C + self.INTERFERENCE, self.HEIGHT), shapes.quarter_ring(self.C, self.B, self.HEIGHT)]
         return shapes.Part.makeCompound(rings)
 
+    def mapped(self):
+        rings = ((" inside", self.A, self.C + self.INTERFERENCE), (" outside", self.C, self.B))
+        contact = {" inside": ("contact inside", "outer"), " outside": ("contact outside", "inner")}
+        parts = []
+        for ring, inner, outer in rings:
+            names = {name: name[:-len(ring)] for name in self.faces if name.endswith(ring) and not name.startswith("contact")}
+            names[contact[ring][0]] = contact[ring][1]
+            if ring == " inside":
+                names["inner"] = "inner"
+            parts.append((mapped.ring(inner, outer, self.HEIGHT), (outer - inner, 15 * math.pi / 2, self.HEIGHT), names))
+        return parts
+
     def deck(self, model):
         held = [(f + ring, d) for ring in (" inside", " outside") for f, d in (("x0", 1), ("y0", 2), ("low", 3), ("top", 3))]
         rows = "".join("%s, %d, %d\n" % (model.face(f), d, d) for f, d in held)
         contact = ("*SURFACE INTERACTION, NAME=PRESSED\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n%r\n"
                    "*CONTACT PAIR, INTERACTION=PRESSED, TYPE=SURFACE TO SURFACE\n%s, %s\n"
                    % (self.STIFFNESS, model.face("contact outside"), model.face("contact inside")))
-        return self.section(model) + contact + static("*BOUNDARY\n" + rows)
+        return self.section(model) + contact + static("*BOUNDARY\n" + rows, 2)
 
     def errors(self, model, solution):
         # Two rings of their own free radii; the force across the contact is the same for both, so the pressures differ a little.
@@ -314,8 +383,16 @@ class PressFit(Problem):
         rim, s = model.nodes("inner"), solution.fields["S"]
         on_x, on_y = rim[np.abs(model.points[rim, 1]) < 1e-6], rim[np.abs(model.points[rim, 0]) < 1e-6]
         hoop = np.r_[s[on_x, 1], s[on_y, 0]].mean()
+
+        def exact_stress(points):
+            r2 = (points[:, :2] ** 2).sum(axis=1)
+            p, q = pressure * self.C * o / (o**2 - a2), pressure * c2 / (b2 - c2)
+            inner_ring = np.sqrt(r2) < self.C + self.INTERFERENCE / 2  # integration points lie within their rings
+            hoops, along = (np.where(inner_ring, -p * (1 + sign * a2 / r2), q * (1 + sign * b2 / r2)) for sign in (1, -1))
+            return polar_stress(points, along, hoops, NU * (hoops + along))
+
         return {"hoop stress": relative(hoop, -2 * pressure * self.C * o / (o**2 - a2)),
-                "field": field_error(solution.fields["U"], radial(model.points, u))}
+                "field": field_error(solution.fields["U"], radial(model.points, u)), "stress": stress_error(solution, exact_stress)}
 
 
 def _ring(inner, outer, height):

@@ -68,6 +68,7 @@ struct BoundaryFit {
   std::vector<int> border_index;  ///< ... and the index of its start in that chain's vertices
   std::vector<char> quad_cut;     ///< per quad halfedge: it lies on a chain
   std::vector<int> node_taken;    ///< per node: number of chains through it
+  int freely_turned = 0;          ///< routed curves that turn where the CAD edge does not
 
   std::vector<Region> regions;
   std::vector<int> region_of_triangle, region_of_quad;

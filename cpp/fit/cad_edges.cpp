@@ -42,7 +42,8 @@ void BoundaryFit::route_cad_edges() {
     update(region);
     Chain chain;
     const bool loop = curve.closed();
-    chain.nodes = loop ? route_closed_curve(*this, region, curve) : route_open_curve(*this, region, curve, node_of_vertex);
+    Route route = loop ? Route{route_closed_curve(*this, region, curve), false} : route_open_curve(*this, region, curve, node_of_vertex);
+    chain.nodes = std::move(route.nodes);
     if (chain.nodes.size() < 2) continue;
     chain.vertices = curve.vertices;
     chain.halfedges = curve.halfedges;
@@ -108,6 +109,7 @@ void BoundaryFit::route_cad_edges() {
         }
       continue;
     }
+    freely_turned += route.free_turns;
     if (loop) continue;
     node_of_vertex[curve.vertices.front()] = chains[index].nodes.front();
     node_of_vertex[curve.vertices.back()] = chains[index].nodes.back();

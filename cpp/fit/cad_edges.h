@@ -17,7 +17,8 @@ struct InnerCurve {
   bool closed() const { return vertices.front() == vertices.back(); }
 };
 
-/// All of them, sharp ones first, then by falling length. An end is where the curve meets a chain, a branch or a hard CAD vertex.
+/// All of them, sharp ones first, then by rising length: short ones have the least choice. An end is where the curve meets a chain, a
+/// branch or a hard CAD vertex.
 std::vector<InnerCurve> collect_inner_curves(const BoundaryFit& fit);
 
 /// The curve as its region's map shows it, with what routing asks of it.
@@ -45,10 +46,15 @@ class FlatCurve {
 /// Log line: the curve stays without mesh edges of its own, and why.
 void report_given_up(const BoundaryFit& fit, const InnerCurve& curve, const std::string& why);
 
-/// Node path (>= 2 nodes) along which the lattice should follow an open curve; empty when every path is too dear.
+struct Route {
+  std::vector<int> nodes;   ///< of the complex; empty: none
+  bool free_turns = false;  ///< see FitOptions
+};
+
+/// Node path (>= 2 nodes) along which the lattice should follow an open curve; none when every path is too dear.
 /// Cheapest path with state = directed edge (experiments B4): distance to the curve in lattice units; two consecutive edges of one
 /// quad only where the curve itself turns that way, since the quad's corner there would open to 180 degrees.
-std::vector<int> route_open_curve(const BoundaryFit& fit, int region, const InnerCurve& curve, const std::vector<int>& node_of_vertex);
+Route route_open_curve(const BoundaryFit& fit, int region, const InnerCurve& curve, const std::vector<int>& node_of_vertex);
 
 /// Node loop (first == last) round a closed curve: the rectangle of the lattice plane that encloses about its area.
 std::vector<int> route_closed_curve(const BoundaryFit& fit, int region, const InnerCurve& curve);

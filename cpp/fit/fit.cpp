@@ -5,8 +5,8 @@
 
 namespace hexfeature {
 
-void fit_boundary(HexComplex& complex, const SurfaceMesh& mesh, const FeatureShape& shape, const Geometry& geometry,
-                  const FitOptions& options, Context& context) {
+int fit_boundary(HexComplex& complex, const SurfaceMesh& mesh, const FeatureShape& shape, const Geometry& geometry,
+                 const FitOptions& options, Context& context) {
   context.progress("fit", 0);
   BoundaryFit fit(complex, mesh, shape, geometry, options, context);
   fit.start();
@@ -16,6 +16,7 @@ void fit_boundary(HexComplex& complex, const SurfaceMesh& mesh, const FeatureSha
   context.progress("fit", 0.8);
   fit_interior(complex, context);
   context.progress("fit", 1);
+  return fit.freely_turned;
 }
 
 }  // namespace hexfeature

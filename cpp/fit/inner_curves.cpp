@@ -55,7 +55,7 @@ std::vector<InnerCurve> collect_inner_curves(const BoundaryFit& fit) {
     for (int h = 0; h < 3 * mesh.triangle_count(); ++h)
       if (!used[h] && wanted_edge(h) && (pass == 1 || is_end(mesh.from(h)))) trace(h);
   std::stable_sort(curves.begin(), curves.end(),
-                   [](const InnerCurve& a, const InnerCurve& b) { return a.sharp != b.sharp ? a.sharp : a.length > b.length; });
+                   [](const InnerCurve& a, const InnerCurve& b) { return a.sharp != b.sharp ? a.sharp : a.length < b.length; });
   return curves;
 }
 

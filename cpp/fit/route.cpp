@@ -14,6 +14,9 @@ namespace {
 constexpr double kReach = 3.0;                               ///< lattice units that an end may move
 constexpr double kSharpRms = 1.3, kSmoothRms = 0.9;          ///< root mean square distance of a path that is too dear
 constexpr double kSharpLargest = 2.2, kSmoothLargest = 1.3;  ///< largest distance of a path that is too dear
+/// With free turns: a quarter of a circle becomes two sides of a square, whose corner is far from it where it has many elements.
+constexpr double kFreeRms = 4, kFreeLargest = 7, kFreeTurn = 2;
+constexpr int kFreeTurns = 2;  ///< ... and a half circle three
 /// A path may only turn where the curve turns at least so much within an element: the corner that the turn puts there opens to 180
 /// degrees less that turn. Losing a sharp edge is worse than a poor corner.
 constexpr double kSharpTurn = 14 * EIGEN_PI / 180, kSmoothTurn = 30 * EIGEN_PI / 180;
@@ -127,13 +130,22 @@ void report_given_up(const BoundaryFit& fit, const InnerCurve& curve, const std:
                   (curve.sharp ? " (sharp)" : " (tangent)") + " has no mesh edges of its own: " + why);
 }
 
-std::vector<int> route_open_curve(const BoundaryFit& fit, int region, const InnerCurve& curve, const std::vector<int>& node_of_vertex) {
+namespace {
+
+/// Where a path may turn and set out.
+enum class Turns { WithCurve, Left, Right };  ///< no corner becomes flat; or turns to this side wherever: the quads there have flat corners
+
+struct Path {
+  std::vector<int> nodes;  ///< empty: none
+  double cost = 0;
+  std::string why;  ///< there is none
+};
+
+Path find_path(const BoundaryFit& fit, int region, const InnerCurve& curve, const std::vector<int>& node_of_vertex, Turns turns) {
+  const bool any_turn = turns != Turns::WithCurve;
   const QuadNet& net = fit.net;
   const FlatCurve flat(fit, curve);
-  const auto give_up = [&](const std::string& why) {
-    report_given_up(fit, curve, why);
-    return std::vector<int>{};
-  };
+  const auto give_up = [&](const std::string& why) { return Path{{}, 0, why}; };
   const int first_h = curve.halfedges.front(), last_h = fit.mesh.opposite[curve.halfedges.back()];
   const auto starts = possible_ends(fit, region, first_h, flat.points().front(), node_of_vertex);
   const auto ends = possible_ends(fit, region, last_h, flat.points().back(), node_of_vertex);
@@ -169,12 +181,14 @@ std::vector<int> route_open_curve(const BoundaryFit& fit, int region, const Inne
     s = known_s[node];
     return known_distance[node];
   };
-  const double largest = curve.sharp ? kSharpLargest : kSmoothLargest;
+  const double largest = any_turn ? kFreeLargest : curve.sharp ? kSharpLargest : kSmoothLargest;
 
-  // Dijkstra over directed edges; the cost of a node is its squared distance plus a little for each step.
+  // Dijkstra over directed edges, free turns counted (state = edge + count * edges); the cost of a node is its squared distance plus a
+  // little for each step.
   constexpr double kStep = 0.02;
-  std::vector<double> cost(net.opposite.size(), 1e300);
-  std::vector<int> before(net.opposite.size(), -1);
+  const int edges = static_cast<int>(net.opposite.size());
+  std::vector<double> cost((any_turn ? kFreeTurns + 1 : 1) * net.opposite.size(), 1e300);
+  std::vector<int> before(cost.size(), -1);
   using Item = std::pair<double, int>;
   std::priority_queue<Item, std::vector<Item>, std::greater<Item>> queue;
   const Vec3 start_direction = flat.direction_from(true), end_direction = flat.direction_from(false);
@@ -183,56 +197,58 @@ std::vector<int> route_open_curve(const BoundaryFit& fit, int region, const Inne
     const double jump = std::abs(s1 - s0);
     return jump > kSkip * fit.options.size && jump > kSkip * (on_part(net.to(g)) - on_part(net.from(g))).norm();
   };
-  const auto relax = [&](int g, double c, int from) {
-    if (!inside(g)) return;
+  const auto relax = [&](int g, double c, int from, int count) {
+    if (count > kFreeTurns || !inside(g)) return;
     const int n = net.to(g);
     double s;
     const double d2 = distance(n, s);
     double s0 = 0;
     if (from >= 0) distance(net.from(g), s0);
-    const bool may_end = end_cost[n] >= 0 && !skips(g, s0, curve.length) && !opens_flat(fit, net.opposite[g], end_direction, last_h);
+    const bool may_end =
+        end_cost[n] >= 0 && !skips(g, s0, curve.length) && (any_turn || !opens_flat(fit, net.opposite[g], end_direction, last_h));
     if (!may_end && skips(g, s0, s)) return;
     if (!may_end && (fit.node_taken[n] > 0 || d2 > largest * largest)) return;
     c += kStep + (may_end ? 0 : d2);
-    if (c < cost[g]) {
-      cost[g] = c;
-      before[g] = from;
-      queue.push({c, g});
+    const int state = g + count * edges;
+    if (c < cost[state]) {
+      cost[state] = c;
+      before[state] = from;
+      queue.push({c, state});
     }
   };
   for (const PathEnd& start : starts)
     for (int i = net.out_begin[start.node]; i < net.out_begin[start.node + 1]; ++i)
-      if (!opens_flat(fit, net.out[i], start_direction, first_h)) relax(net.out[i], start.cost, -1);
+      if (any_turn || !opens_flat(fit, net.out[i], start_direction, first_h)) relax(net.out[i], start.cost, -1, 0);
 
   int goal = -1;
   double goal_cost = 1e300;
   while (!queue.empty()) {
-    const auto [c, g] = queue.top();
+    const auto [c, state] = queue.top();
     queue.pop();
-    if (c > cost[g] || c >= goal_cost) continue;
-    const int n = net.to(g);
+    if (c > cost[state] || c >= goal_cost) continue;
+    const int g = state % edges, count = state / edges, n = net.to(g);
     double s_before = 0;
-    if (before[g] >= 0) distance(net.from(g), s_before);
-    if (end_cost[n] >= 0 && !skips(g, s_before, curve.length) && !opens_flat(fit, net.opposite[g], end_direction, last_h) &&
+    if (before[state] >= 0) distance(net.from(g), s_before);
+    if (end_cost[n] >= 0 && !skips(g, s_before, curve.length) && (any_turn || !opens_flat(fit, net.opposite[g], end_direction, last_h)) &&
         c + end_cost[n] < goal_cost) {
-      goal = g;
+      goal = state;
       goal_cost = c + end_cost[n];
     }
     if (fit.node_taken[n] > 0) continue;
     if (net.out_begin[n + 1] - net.out_begin[n] != 4) continue;
     const int left = net.next(g), straight = net.next(net.opposite[left]), right = net.opposite[net.prev(net.opposite[g])];
-    relax(straight, c, g);
+    relax(straight, c, state, count);
     double s = 0;
     distance(n, s);
     const double turn = flat.turn_at(s);
-    const double price = 0.5 * std::max(0.0, 1.5708 - std::abs(turn));
+    const double price = any_turn ? kFreeTurn : 0.5 * std::max(0.0, 1.5708 - std::abs(turn));
     const double least_turn = curve.sharp ? kSharpTurn : kSmoothTurn;
-    if (turn > least_turn) relax(left, c + price, g);
-    if (turn < -least_turn) relax(right, c + price, g);
+    if (any_turn ? turns == Turns::Left : turn > least_turn) relax(left, c + price, state, count + any_turn);
+    if (any_turn ? turns == Turns::Right : turn < -least_turn) relax(right, c + price, state, count + any_turn);
   }
   if (goal < 0) return give_up("no path without a flat corner");
-  std::vector<int> path{net.to(goal)};
-  for (int g = goal; g >= 0; g = before[g]) path.push_back(net.from(g));
+  std::vector<int> path{net.to(goal % edges)};
+  for (int state = goal; state >= 0; state = before[state]) path.push_back(net.from(state % edges));
   std::reverse(path.begin(), path.end());
   double sum = 0;
   std::vector<int> sorted(path);
@@ -251,8 +267,24 @@ std::vector<int> route_open_curve(const BoundaryFit& fit, int region, const Inne
     if (std::abs(s1 - s0) > kSkip * std::max(fit.options.size, step)) return give_up("the path would skip a part of it");
   }
   const double rms = std::sqrt(sum / static_cast<double>(path.size()));
-  if (rms > (curve.sharp ? kSharpRms : kSmoothRms)) return give_up("too far, " + std::to_string(rms));
-  return path;
+  if (rms > (any_turn ? kFreeRms : curve.sharp ? kSharpRms : kSmoothRms)) return give_up("too far, " + std::to_string(rms));
+  return {path, goal_cost, {}};
+}
+
+}  // namespace
+
+Route route_open_curve(const BoundaryFit& fit, int region, const InnerCurve& curve, const std::vector<int>& node_of_vertex) {
+  Path path = find_path(fit, region, curve, node_of_vertex, Turns::WithCurve);
+  bool free_turns = false;
+  if (path.nodes.empty() && curve.sharp && fit.options.free_turns) {
+    // A sheet beside the line takes the flat corners away; all of them are on one side.
+    path = find_path(fit, region, curve, node_of_vertex, Turns::Left);
+    Path other = find_path(fit, region, curve, node_of_vertex, Turns::Right);
+    if (path.nodes.empty() || (!other.nodes.empty() && other.cost < path.cost)) path = std::move(other);
+    free_turns = !path.nodes.empty();
+  }
+  if (path.nodes.empty()) report_given_up(fit, curve, path.why);
+  return {path.nodes, free_turns};
 }
 
 std::vector<int> route_closed_curve(const BoundaryFit& fit, int region, const InnerCurve& curve) {

@@ -127,6 +127,7 @@ Faithfulness measure_faithfulness(const HexComplex& mesh, const Geometry& geomet
     total += edge.length;
     lost += (1 - followed) * edge.length;
     if (followed < 0.9) result.sharp_edges_not_followed.push_back(id);
+    if (followed < 0.5 && edge.length >= 0.5 * size) result.sharp_edges_lost.push_back(id);
   }
   if (total > 0) result.lost_length = lost / total;
 

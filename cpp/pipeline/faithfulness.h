@@ -13,12 +13,16 @@ struct Faithfulness {
   std::vector<int> faces_without_quads;  ///< 1-based CAD faces of the solid
   std::vector<int> faces_not_covered;    ///< ... parts of which are farther than half an element from the face's own quads
   std::vector<int>
-      sharp_edges_not_followed;   ///< 1-based sharp CAD edges, a tenth or more of which has no mesh edge between its faces near it
-  std::vector<int> corners_lost;  ///< 1-based CAD vertices where three or more sharp edges meet, without a node
-  double lost_length = 0;         ///< share of the sharp edges' length that no mesh edge follows, 0..1
-  double largest_gap = 0;         ///< longest distance from a point of a CAD face to the face's own quads
-  /// Nothing lost but a hundredth of the sharp edges (tips that no element can follow).
-  bool complete() const { return faces_without_quads.empty() && faces_not_covered.empty() && lost_length <= 0.01 && corners_lost.empty(); }
+      sharp_edges_not_followed;       ///< 1-based sharp CAD edges, a tenth or more of which has no mesh edge between its faces near it
+  std::vector<int> sharp_edges_lost;  ///< of these, the ones half an element long or more, most of which has none
+  std::vector<int> corners_lost;      ///< 1-based CAD vertices where three or more sharp edges meet, without a node
+  double lost_length = 0;             ///< share of the sharp edges' length that no mesh edge follows, 0..1
+  double largest_gap = 0;             ///< longest distance from a point of a CAD face to the face's own quads
+  /// Nothing lost but a hundredth of the sharp edges, and no whole one (tips that no element can follow).
+  bool complete() const {
+    return faces_without_quads.empty() && faces_not_covered.empty() && lost_length <= 0.01 && sharp_edges_lost.empty() &&
+           corners_lost.empty();
+  }
 };
 
 /// `surface` is the solid's surface mesh (the CAD, sampled), in the coordinates of `mesh`; null: gaps are not measured.

@@ -15,6 +15,16 @@ namespace {
 /// A mesh whose worst element is below this is worth a second try without (or with fewer) sheets.
 constexpr double kGoodEnough = 0.5;
 
+/// With another method to come, elements of all the meshes of one labelling that stay inverted before it is given up.
+constexpr int kVainWork = 30000;
+
+/// What the meshes of one labelling came to so far.
+struct Trials {
+  Worth worth;        ///< of the last one kept; nothing is known of those with inverted elements
+  int vain = 0;       ///< elements of all those that stayed inverted
+  bool once = false;  ///< one that stays inverted is not tried with fewer sheets
+};
+
 std::vector<int> cad_faces_of(const FeatureShape& shape, const std::vector<int>& charts) {
   std::set<int> faces;
   for (int c : charts) faces.insert(shape.charts[c].cad_faces.begin(), shape.charts[c].cad_faces.end());
@@ -67,16 +77,22 @@ void require_valid(const LabelResult& labels) {
                      "try a smaller element size, or simplify the faces named", cad_faces_of(labels.shape, worst.charts));
 }
 
-/// Whether a smoothed mesh is worth more: fewer inverted elements, or a worst element better by what can be seen.
-bool is_better(const SmoothReport& a, const SmoothReport& b) {
+/// Whether a smoothed mesh is worth more: fewer inverted elements, or keeping more of the part, or a worst element better by what can be
+/// seen. What it keeps is not known of meshes with inverted elements.
+bool is_better(const SmoothReport& a, const Worth& worth_a, const SmoothReport& b, const Worth& worth_b) {
   constexpr double kSeen = 0.005;
-  return a.inverted != b.inverted ? a.inverted < b.inverted : a.min_sj > b.min_sj + kSeen;
+  if (a.inverted != b.inverted) return a.inverted < b.inverted;
+  if (worth_a.faithful != worth_b.faithful) return worth_a.faithful;
+  return a.min_sj > b.min_sj + kSeen;
 }
 
 /// Smooth with the sheets that pay. All of them at first; as long as the worst element lies at sheets, again without one of these, the
-/// last inserted first, and the better mesh is kept. What is far from every sheet is not their doing: then nothing is tried. Where
-/// elements stay inverted, once without all the sheets there: such a mesh is seldom saved, and each trial of it is dear.
-HexComplex smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shape, const Geometry& geometry, Run& run) {
+/// last inserted first, then without all of them, and the better mesh is kept. What is far from every sheet is not their doing: then
+/// nothing is tried. Where elements stay inverted, once without all the sheets there: such a mesh is seldom saved, and each trial of it is
+/// dear.
+HexComplex smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shape, const SolidTask& task, Trials& trials) {
+  Run& run = task.run;
+  const Geometry& geometry = task.part.geometry();
   constexpr int kTrials = 6;
   SmoothOptions smoothing;
   smoothing.size = run.options.size;
@@ -87,15 +103,17 @@ HexComplex smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shap
   Result& result = run.result;
 
   HexComplex best;
-  std::vector<std::vector<int>> suspects;  // names; the next one to leave out last
+  std::vector<std::vector<int>> suspects, together;  // names; the next one to leave out last
   for (int trial = 0; trial < kTrials; ++trial) {
     SheetOptions tried = sheets;
     if (trial > 0) {
+      if (suspects.empty()) suspects.swap(together);
       if (suspects.empty()) break;
-      const bool all = result.smoothing.inverted > 0;
+      const bool all = result.smoothing.inverted > 0 || together.empty();
       const auto first = all ? suspects.begin() : suspects.end() - 1;
       tried.without.insert(tried.without.end(), first, suspects.end());
       suspects.erase(first, suspects.end());
+      if (all) together.clear();
     }
     run.begin("sheets");
     HexComplex complex = fitted;
@@ -106,15 +124,20 @@ HexComplex smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shap
     run.begin("smooth");
     const SmoothReport smoothed = smooth(complex, *geometry.projector, smoothing, run.context);
     run.context.log("with " + std::to_string(report.inserted) + " sheets: min SJ " + std::to_string(smoothed.min_sj));
-    if (trial > 0 && !is_better(smoothed, result.smoothing)) continue;
+    const Worth worth = smoothed.inverted == 0 ? worth_of(complex, smoothed, task) : Worth{};
+    if (smoothed.inverted > 0) trials.vain += complex.hex_count();
+    if (trial > 0 && !is_better(smoothed, worth, result.smoothing, trials.worth)) continue;
     suspects.clear();
     if (smoothed.inverted > 0 || smoothed.min_sj < kGoodEnough)
       for (int s : sheets_near(complex, report, proved_scaled_jacobians(complex.points, complex.hexes), smoothed.min_sj + 1e-6))
         suspects.push_back(report.names[s]);
+    together = suspects.size() > 1 ? suspects : std::vector<std::vector<int>>{};
     sheets = std::move(tried);
     best = std::move(complex);
     result.sheets = std::move(report);
     result.smoothing = smoothed;
+    trials.worth = worth;
+    if (smoothed.inverted > 0 && trials.once) break;
   }
   return best;
 }
@@ -167,26 +190,37 @@ std::vector<int> faces_near_inverted(const HexComplex& complex) {
   return {faces.begin(), faces.end()};
 }
 
-/// Boundary fitting, sheets and smoothing; where elements stay inverted, again without the inner CAD edges beside them, as long as
-/// that makes fewer. Throws MeshingError(NoMesh, "smooth") when some stay.
-HexComplex fit_and_smooth(const HexComplex& lattice, const SurfaceMesh& mesh, const FeatureShape& shape, const Geometry& geometry,
-                          Run& run) {
+/// Boundary fitting, sheets and smoothing, first with free turns; where that does not keep the whole part, without. Where elements stay
+/// inverted, again without the inner CAD edges beside them, as long as that makes fewer. Throws MeshingError(NoMesh, "smooth") when some
+/// stay.
+HexComplex fit_and_smooth(const HexComplex& lattice, const SurfaceMesh& mesh, const FeatureShape& shape, const SolidTask& task) {
+  Run& run = task.run;
+  const Geometry& geometry = task.part.geometry();
   constexpr int kRounds = 6;
   FitOptions fit;
   fit.size = run.options.size;
   fit.smooth_edges = run.options.capture == "all";
+  fit.free_turns = run.options.sheets;
+  Trials trials;
   for (int round = 1, least = std::numeric_limits<int>::max();; ++round) {
     run.begin("fit");
     HexComplex complex = lattice;
-    fit_boundary(complex, mesh, shape, geometry, fit, run.context);
+    const int turned = fit_boundary(complex, mesh, shape, geometry, fit, run.context);
     run.result.mesh = complex;
     run.complete();
-    complex = smooth_with_sheets(complex, shape, geometry, run);
+    trials.once = turned > 0;
+    complex = smooth_with_sheets(complex, shape, task, trials);
     const int inverted = run.result.smoothing.inverted;
+    if (turned > 0 && !(inverted == 0 && trials.worth.faithful)) {
+      fit.free_turns = false;
+      --round;
+      continue;
+    }
     if (inverted == 0) return complex;
     std::vector<int> released = fit.released;
     for (int e : edges_to_release(complex, geometry)) released.push_back(e);
-    if (round == kRounds || inverted >= least || released.size() == fit.released.size()) {
+    const bool vain = run.options.method == "auto" && trials.vain > kVainWork;
+    if (round == kRounds || vain || inverted >= least || released.size() == fit.released.size()) {
       run.result.mesh = complex;
       throw MeshingError(Failure::NoMesh, "smooth", std::to_string(inverted) + " elements stay inverted or folded",
                          "try another element size, or simplify the faces named", faces_near_inverted(complex));
@@ -199,12 +233,14 @@ HexComplex fit_and_smooth(const HexComplex& lattice, const SurfaceMesh& mesh, co
 
 }  // namespace
 
-HexComplex feature_line(const SurfaceMesh& surface, const Geometry& geometry, int solid, const LabelEffort& effort, Run& run) {
+HexComplex feature_line(const SolidTask& task, const LabelEffort& effort) {
+  Run& run = task.run;
   Result& result = run.result;
+  const Geometry& geometry = task.part.geometry();
   result.sheets = {};
 
   run.begin("labels");
-  result.labels = label(surface, geometry, effort, run);
+  result.labels = label(result.surface, geometry, effort, run);
   run.complete();
   run.reached("shape");
   require_valid(result.labels);
@@ -220,10 +256,10 @@ HexComplex feature_line(const SurfaceMesh& surface, const Geometry& geometry, in
                        cad_faces_of(shape, lattice.report.charts));
   run.reached("polycube");
   result.mesh = lattice.complex;
-  std::fill(lattice.complex.hex_solid.begin(), lattice.complex.hex_solid.end(), solid);
+  std::fill(lattice.complex.hex_solid.begin(), lattice.complex.hex_solid.end(), task.solid);
   run.complete();
 
-  HexComplex complex = fit_and_smooth(lattice.complex, mesh, shape, geometry, run);
+  HexComplex complex = fit_and_smooth(lattice.complex, mesh, shape, task);
   result.mesh = complex;
   run.complete();
 

@@ -1,9 +1,7 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #pragma once
-#include "mesh/geometry.h"
 #include "mesh/hex_complex.h"
-#include "mesh/surface_mesh.h"
-#include "pipeline/run.h"
+#include "pipeline/method.h"
 
 namespace hexfeature {
 
@@ -13,9 +11,9 @@ struct LabelEffort {
   double max_work = LabelOptions{}.max_work;
 };
 
-/// The feature-line method on one solid's surface mesh, in the working frame (design, section 3; the paper's steps 3-2 to 3-7
+/// The feature-line method on one solid, placed in its working frame (design, section 3; the paper's steps 3-2 to 3-7
 /// and 1-1 to 1-3): labels, feature shape, polycube, lattice, boundary fitting, O-grid sheets, smoothing. Returns a certified
 /// complex. Throws MeshingError(NoMesh) naming the step that could not go on, Stopped at Options::stop_after.
-HexComplex feature_line(const SurfaceMesh& surface, const Geometry& geometry, int solid, const LabelEffort& effort, Run& run);
+HexComplex feature_line(const SolidTask& task, const LabelEffort& effort);
 
 }  // namespace hexfeature

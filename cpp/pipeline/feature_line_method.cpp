@@ -3,7 +3,6 @@
 #include <optional>
 
 #include "pipeline/feature_line.h"
-#include "pipeline/method.h"
 
 namespace hexfeature {
 namespace {
@@ -60,7 +59,7 @@ Candidate mesh_by_feature_line(const SolidTask& task) {
       }
       Candidate candidate;
       candidate.method = attempt.method;
-      candidate.mesh = feature_line(result.surface, part.geometry(), task.solid, proposal.effort, run);
+      candidate.mesh = feature_line(task, proposal.effort);
       candidate.smoothing = result.smoothing;
       candidate.worth = worth_of(candidate.mesh, candidate.smoothing, task);
       if (best && !candidate.worth.better_than(best->worth)) {

@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <optional>
 
-#include "pipeline/method.h"
-
 namespace hexfeature {
 namespace {
 
-std::vector<const Method*> chosen_methods(const std::string& name) {
+std::vector<const Method*> chosen_methods(const std::vector<Method>& all, const std::string& name) {
   std::vector<const Method*> chosen;
-  for (const Method& m : all_methods())
+  for (const Method& m : all)
     if (name == "auto" || name == m.name) chosen.push_back(&m);
   return chosen;
 }
@@ -49,11 +47,11 @@ HexComplex take(Candidate& best, Result& result) {
 
 }  // namespace
 
-HexComplex mesh_solid(Part& part, int solid, const std::vector<Mat3>& frames, Run& run) {
+HexComplex mesh_solid(Part& part, int solid, const std::vector<Mat3>& frames, Run& run, const std::vector<Method>& all) {
   const SolidTask task{part, solid, frames, run};
   std::optional<Candidate> best;
   std::optional<MeshingError> first_failure;
-  const std::vector<const Method*> methods = chosen_methods(run.options.method);
+  const std::vector<const Method*> methods = chosen_methods(all, run.options.method);
   for (const Method* method : methods) {
     const auto start = Context::Clock::now();
     const Budget budget(run.context, method == methods.back());

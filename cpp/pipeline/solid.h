@@ -2,8 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "pipeline/part.h"
-#include "pipeline/run.h"
+#include "pipeline/method.h"
 
 namespace hexfeature {
 
@@ -11,6 +10,7 @@ namespace hexfeature {
 /// (Worth::sufficient) ends the search; otherwise the best of all methods by `Worth` is kept. With a time limit each method but the last
 /// gets half of what is left. Returns the mesh in world coordinates, with the run's result describing it. Throws MeshingError(NoMesh) of
 /// the first method when none gives a certified mesh.
-HexComplex mesh_solid(Part& part, int solid, const std::vector<Mat3>& frames, Run& run);
+/// `methods`: those there are.
+HexComplex mesh_solid(Part& part, int solid, const std::vector<Mat3>& frames, Run& run, const std::vector<Method>& methods = all_methods());
 
 }  // namespace hexfeature

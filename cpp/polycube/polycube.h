@@ -17,7 +17,7 @@ struct QuantizeOptions {
   int minimum_intervals = 1;   ///< least |delta u| along an arc
   int rays = 4000;             ///< at most so many sample rays for order and gap constraints (deterministic)
   double arc_curvature = 0.5;  ///< how much the cost of too many intervals on an arc bends upwards
-  double largest_sag = 0.25;   ///< an arc gets intervals until the chords' sag is below this many h (wish, not constraint)
+  double largest_sag = 0.2;    ///< an arc gets intervals until the chords' sag is below this many h (wish, not constraint)
 };
 
 /// The recognition model: the feature shape with integer, axis-aligned coordinates. A chart of label l lies on the

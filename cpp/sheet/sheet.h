@@ -22,12 +22,15 @@ struct SheetOptions {
   std::vector<std::vector<int>> without;  ///< names of sheets (SheetReport::names) that are not to be inserted
 };
 
-/// Charts that join smoothly, and where: one sheet is to run along them.
+/// Charts that join smoothly, and where: one sheet is to run along them. Or a floor: the side of a line whose quads would be flat at
+/// it, the line being the foot of a pocket's wall or a CAD edge inside a chart that a path of mesh edges with turns follows.
 struct SheetGroup {
   std::vector<int> charts;                       ///< sorted; the sheet covers their quads; empty for a floor
   std::vector<std::array<int, 2>> smooth_edges;  ///< boundary edges (smaller node first) whose one cell must shrink away
-  std::vector<std::array<int, 2>> floor_edges;   ///< floors only: the edges at the foot of the wall round `floor_chart`
-  int floor_chart = -1;                          ///< a pocket's floor whose outline turns too little at its corners; -1: none
+  std::vector<std::array<int, 2>> floor_edges;   ///< floors only: the edges of the line
+  std::vector<int> floor_quads;                  ///< ... and of each the quad on the floor's side
+  int floor_chart = -1;                          ///< floors only: their chart; -1: no floor
+  int turn_node = -1;                            ///< floors beside a CAD edge inside the chart: a node where the path turns; else -1
 };
 
 struct SheetReport {

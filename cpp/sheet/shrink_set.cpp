@@ -5,6 +5,7 @@
 #include <lemon/smart_graph.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "sheet/edge_angle.h"
 
@@ -14,8 +15,14 @@ namespace {
 constexpr long long kInnerCost = 100, kCoveredCost = 5, kBadExitCost = 3000;
 constexpr int kConflictRounds = 6;
 
-// Blocks numbered 0.. in the order of their ids; each hexahedron its own block when the complex has none.
-std::vector<int> dense_blocks(const HexComplex& complex, int& count) {
+// Blocks numbered 0.. in the order of their ids; each hexahedron its own block beside a CAD edge inside a chart: that cuts blocks.
+std::vector<int> dense_blocks(const HexComplex& complex, const SheetGroup& group, int& count) {
+  if (group.turn_node >= 0) {
+    std::vector<int> each(complex.hexes.size());
+    std::iota(each.begin(), each.end(), 0);
+    count = complex.hex_count();
+    return each;
+  }
   std::vector<int> ids = complex.hex_block;
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
@@ -40,7 +47,7 @@ class Chooser {
         group_(group),
         options_(options),
         together_(together),
-        block_(dense_blocks(complex, block_count_)) {
+        block_(dense_blocks(complex, group, block_count_)) {
     int charts = 0;
     for (int c : complex.quad_chart) charts = std::max(charts, c + 1);
     covered_.assign(charts, 0);
@@ -87,11 +94,9 @@ class Chooser {
       const int free = covered(e.quads[0]) ? e.quads[1] : e.quads[0];
       if (e.count >= 3 || (e.count == 2 && solid_angle(complex_, e) > options_.smooth_angle)) sort_round(e, free, t);
     }
-    for (const auto& nodes : group_.floor_edges)
-      if (const auto* e = topology_.find_edge(nodes[0], nodes[1])) {
-        const int floor = complex_.quad_chart[e->quads[0]] == group_.floor_chart ? e->quads[0] : e->quads[1];
-        sort_round_floor(*e, floor, t);
-      }
+    for (std::size_t i = 0; i < group_.floor_edges.size(); ++i)
+      if (const auto* e = topology_.find_edge(group_.floor_edges[i][0], group_.floor_edges[i][1]))
+        sort_round_floor(*e, group_.floor_quads[i], t);
     std::sort(t.by.begin(), t.by.end());
     t.by.erase(std::unique(t.by.begin(), t.by.end()), t.by.end());
     return t;

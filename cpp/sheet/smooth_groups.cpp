@@ -137,13 +137,67 @@ void find_floors(const HexComplex& complex, const HexTopology& topology, double 
         if (e && (reached[e->nodes[0]] || reached[e->nodes[1]])) {
           reached[e->nodes[0]] = reached[e->nodes[1]] = 1;
           floor.floor_edges.push_back(e->nodes);
+          floor.floor_quads.push_back(complex.quad_chart[e->quads[0]] == chart ? e->quads[0] : e->quads[1]);
           e = nullptr;
           grown = true;
         }
     }
-    std::sort(floor.floor_edges.begin(), floor.floor_edges.end());
     groups.push_back(std::move(floor));
   }
+}
+
+// The edges of a CAD edge's mesh line, from (a, b) of quad q on, as long as q's side of the line shows more of them.
+void walk_line(const HexComplex& complex, const HexTopology& topology, int q, int a, int b, bool forward, SheetGroup& floor) {
+  const int cad = feature_of(complex, a, b), start = a;
+  for (;;) {
+    const auto* e = topology.find_edge(a, b);
+    if (e->count < 2) return;
+    floor.floor_edges.push_back(e->nodes);
+    floor.floor_quads.push_back(q);
+    if (b == start) return;
+    // Round b, on the floor's side, to the next edge that follows a CAD edge.
+    for (const auto* first = e;;) {
+      const auto& n = complex.quads[q];
+      const int at = static_cast<int>(std::find(n.begin(), n.end(), b) - n.begin());
+      const int next = n[(at + (forward ? 1 : 3)) % 4];
+      e = topology.find_edge(b, next);
+      if (e == first) return;
+      if (const int other = feature_of(complex, b, next)) {
+        if (other != cad) return;
+        a = b;
+        b = next;
+        break;
+      }
+      const int beyond = e->quads[0] == q ? e->quads[1] : e->quads[0];
+      if (complex.quad_chart[beyond] != floor.floor_chart) return;
+      q = beyond;
+    }
+  }
+}
+
+// CAD edges inside a chart that mesh edges follow with turns: on the inner side of a turn one quad has both its edges on the curve, and a
+// corner of nearly 180 degrees. The floor is that side.
+void find_turns(const HexComplex& complex, const HexTopology& topology, double degrees, std::vector<SheetGroup>& groups) {
+  const auto is_inner = [&](const HexTopology::Edge& e) { return complex.quad_chart[e.quads[0]] == complex.quad_chart[e.quads[1]]; };
+  std::vector<std::array<int, 2>> settled;  // (quad, edge's lesser node), sorted
+  for (int q = 0; q < static_cast<int>(complex.quads.size()); ++q)
+    for (int i = 0; i < 4; ++i) {
+      const auto& n = complex.quads[q];
+      const int middle = n[i], after = n[(i + 1) % 4], before = n[(i + 3) % 4];
+      if (!feature_of(complex, middle, after) || !feature_of(complex, before, middle)) continue;
+      if (!is_inner(*topology.find_edge(middle, after)) && !is_inner(*topology.find_edge(before, middle))) continue;
+      if (corner_angle(complex, q, i) <= degrees) continue;
+      if (std::binary_search(settled.begin(), settled.end(), std::array<int, 2>{q, middle})) continue;
+      SheetGroup floor;
+      floor.floor_chart = complex.quad_chart[q];
+      floor.turn_node = middle;
+      walk_line(complex, topology, q, middle, after, true, floor);
+      walk_line(complex, topology, q, middle, before, false, floor);
+      for (std::size_t k = 0; k < floor.floor_edges.size(); ++k)
+        for (int v : floor.floor_edges[k]) settled.push_back({floor.floor_quads[k], v});
+      std::sort(settled.begin(), settled.end());
+      groups.push_back(std::move(floor));
+    }
 }
 
 }  // namespace
@@ -175,6 +229,7 @@ std::vector<SheetGroup> find_sheet_groups(const HexComplex& complex, const Geome
   std::stable_sort(groups.begin(), groups.end(),
                    [](const SheetGroup& a, const SheetGroup& b) { return a.smooth_edges.size() > b.smooth_edges.size(); });
   find_floors(complex, topology, options.floor_angle, groups);
+  find_turns(complex, topology, options.floor_angle, groups);
   return groups;
 }
 

@@ -89,5 +89,7 @@ int untangle_softly(Patch& patch);
 void slide(Patch& patch);
 /// (4): lift the worst elements. Requires a patch on the CAD and no inverted element.
 void lift_worst(HexComplex& mesh, SmoothSetting& setting);
+/// (5): what (4) could not lift for some other place's sake: one bad place after the other, each with its neighbourhood alone.
+void lift_places(HexComplex& mesh, SmoothSetting& setting);
 
 }  // namespace hexfeature

@@ -8,11 +8,12 @@
 namespace hexfeature {
 namespace {
 
-/// Points of the elements below `limit`, and `rings` elements farther.
-std::vector<char> points_near(const HexComplex& mesh, const std::vector<double>& quality, double limit, int rings) {
+/// Points of the elements that `chosen` accepts, and `rings` elements farther.
+template <class Chosen>
+std::vector<char> points_near(const HexComplex& mesh, int rings, Chosen chosen) {
   std::vector<char> marked(mesh.points.size(), 0);
   for (int h = 0; h < mesh.hex_count(); ++h)
-    if (quality[h] < limit)
+    if (chosen(h))
       for (int v : mesh.hexes[h]) marked[v] = 1;
   for (int ring = 0; ring < rings; ++ring) {
     std::vector<char> next = marked;
@@ -24,14 +25,16 @@ std::vector<char> points_near(const HexComplex& mesh, const std::vector<double>&
   return marked;
 }
 
-/// One sweep over the powers on the patch. Leaves it in its best state seen, on the CAD; returns how far its worst rose.
-double sweep(Patch& patch, const std::vector<int>& powers) {
+/// One sweep over the powers on the patch. Leaves it in its best state seen, on the CAD; returns how far its merit rose.
+template <class Merit>
+double sweep(Patch& patch, const std::vector<int>& powers, Merit merit) {
   const double h = patch.setting.options.size;
   patch.boundary->find_feet(patch.x);
   patch.boundary->snap(patch.x);
   std::vector<double> best = patch.x, gradient(patch.x.size());
-  const Grade start = patch.grade();
-  Grade best_grade = start, last = start;
+  Grade last = patch.grade();
+  const double start = merit(last);
+  double best_merit = start;
   EnergyTerms terms;
   terms.theta = patch.setting.options.theta;
   terms.shape_weight = 0.5;
@@ -59,12 +62,12 @@ double sweep(Patch& patch, const std::vector<int>& powers) {
     if (grade.inverted > 0 || grade.min_sj < 0.8 * last.min_sj) break;
     patch.x = next;
     last = grade;
-    if (grade.min_sj > best_grade.min_sj) best = next, best_grade = grade;
+    if (merit(grade) > best_merit) best = next, best_merit = merit(grade);
   }
   patch.x = best;
   patch.boundary->find_feet(patch.x);
   patch.boundary->snap(patch.x);
-  return best_grade.min_sj - start.min_sj;
+  return best_merit - start;
 }
 
 }  // namespace
@@ -77,12 +80,40 @@ void lift_worst(HexComplex& mesh, SmoothSetting& setting) {
     setting.context.progress("smooth", 0.8 + 0.2 * k / kSweeps);
     measure(mesh, setting.workers, quality);
     const double worst = *std::min_element(quality.begin(), quality.end());
-    const double limit = std::clamp(worst + 0.25, 0.5, 0.8);
+    const double limit = std::clamp(worst + 0.25, 0.5, 0.95);
     if (!(worst > 0) || worst >= limit) return;
-    Patch patch(mesh, points_near(mesh, quality, limit, 2), setting);
-    const double gain = sweep(patch, k == 0 ? std::vector<int>{1, 1, 2, 2, 4, 4, 8, 8, 16} : std::vector<int>{4, 8, 16, 16});
+    Patch patch(mesh, points_near(mesh, 2, [&](int h) { return quality[h] < limit; }), setting);
+    const double gain = sweep(patch, k == 0 ? std::vector<int>{1, 1, 2, 2, 4, 4, 8, 8, 16} : std::vector<int>{4, 8, 16, 16},
+                              [](const Grade& g) { return g.min_sj; });
     if (gain > 0) patch.write_back(mesh);
     if (gain < kLeastGain) return;
+  }
+}
+
+void lift_places(HexComplex& mesh, SmoothSetting& setting) {
+  constexpr int kPlaces = 60;
+  constexpr double kLimit = 0.4, kLeastGain = 1e-3;
+  std::vector<double> quality;
+  measure(mesh, setting.workers, quality);
+  std::vector<char> settled(mesh.hexes.size(), 0);
+  for (int place = 0; place < kPlaces; ++place) {
+    setting.context.check();
+    int worst = -1;
+    for (int h = 0; h < mesh.hex_count(); ++h)
+      if (!settled[h] && quality[h] < kLimit && (worst < 0 || quality[h] < quality[worst])) worst = h;
+    if (worst < 0) return;
+    Patch patch(mesh, points_near(mesh, 2, [&](int h) { return h == worst; }), setting);
+    // A tenth more of the worst element is worth a twentieth of the neighbourhood's mean.
+    const double count = static_cast<double>(patch.hexes.size());
+    const auto merit = [&](const Grade& g) { return g.min_sj > 0 ? 0.5 * std::log(g.min_sj) + g.sum_sj / count : -1e9; };
+    if (sweep(patch, {1, 2, 4, 8, 16}, merit) < kLeastGain) {
+      settled[worst] = 1;
+      continue;
+    }
+    patch.write_back(mesh);
+    std::vector<double> now;
+    patch.measure(patch.x, now);
+    for (std::size_t i = 0; i < now.size(); ++i) quality[patch.elements[i]] = now[i];
   }
 }
 

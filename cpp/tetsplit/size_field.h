@@ -19,7 +19,7 @@ struct SizeOptions {
   double walls = 1.8;        ///< edge length over the thickness of a wall
   double least_wall = 0.35;  ///< walls ask for no less than this
   double strips = 1.4;       ///< edge length over the width of a narrow face or the length of a short CAD edge
-  double grading = 0.35;     ///< the length grows by no more than this times the distance
+  double grading = 0.7;      ///< the length grows by no more than this times the distance
 };
 
 /// Edge length that a triangulation should have, as a function of the place on the surface: from curvature, the width of faces,

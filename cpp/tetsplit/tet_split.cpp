@@ -1,6 +1,8 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #include "tetsplit/tet_split.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -42,7 +44,8 @@ std::vector<Vec3> bad_places(const HexComplex& mesh, double limit) {
 
 HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const TetSplitOptions& options, Context& context,
                      TetSplitReport& report) {
-  constexpr double kFiner = 0.6, kOtherwise = 0.85;
+  constexpr double kFiner = 0.6;
+  constexpr std::array<double, 4> kOtherwise{1.2, 0.85, 0.72, 0.6};
   const double h = options.size;
   context.progress("tet-split", 0);
   SizeOptions sizes;
@@ -50,9 +53,9 @@ HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const
   sizes.least = 0.7 * h;
   sizes.least_curve = 1.1 * h;
   sizes.least_wall = 0.35 * h;
-  Remesher fine(surface, geometry, kTiny * h);
-  fine.refine([&](const Vec3&) { return h; }, context);
-  const SizeField base(fine.result(), geometry, sizes, context);
+  Remesher whole(surface, geometry, kTiny * h);
+  whole.refine([&](const Vec3&) { return h; }, context);
+  const SizeField base(whole.result(), geometry, sizes, context);
   SizeField field = base;
 
   SmoothOptions smoothing;
@@ -60,13 +63,14 @@ HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const
   smoothing.threads = options.threads;
   smoothing.least_target = 0.02;
   std::optional<HexComplex> best;
+  std::optional<Remesher> cut;  // without the tips of faces
   int work = 0;
   std::optional<MeshingError> failure;
   for (int attempt = 0; attempt < options.attempts; ++attempt) {
     ++report.attempts;
     try {
       context.progress("tet-split", static_cast<double>(attempt) / options.attempts);
-      Remesher remesher = fine;
+      Remesher remesher = cut ? *cut : whole;
       remesher.remesh([&](const Vec3& p) { return field.at(p); }, 6, context);
       remesher.cut_ears(context);
       std::vector<int> pinned;
@@ -93,18 +97,17 @@ HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const
       if (smoothed.inverted == 0 && smoothed.min_sj >= options.good_enough) break;
       work += mesh.hex_count();
       if (smoothed.inverted == 0 && smoothed.min_sj >= kBearable && work > kMostWork) break;
-      // Finer where it was bad; then, where tips of faces forbid a better mesh, without them; then a little finer everywhere, since
-      // other elements meet there.
+      // Finer where it was bad, and without the tips of faces that forbid a better mesh, if that helps; then coarser and finer everywhere,
+      // since other elements meet there.
       if (attempt == 0) {
         field.refine(bad_places(mesh, options.good_enough), kFiner);
-      } else {
-        int finer = attempt;
-        if (report.smoothing.min_sj < kTipsForbid) {
-          if (attempt == 1)
-            context.log("tet-split: " + std::to_string(fine.cut_tips(kTipWidth * h, kTipLength * h, context)) + " tips cut");
-          --finer;
+        if (smoothed.min_sj < kTipsForbid) {
+          cut.emplace(whole);
+          context.log("tet-split: " + std::to_string(cut->cut_tips(kTipWidth * h, kTipLength * h, context)) + " tips cut");
         }
-        field = base.scaled(std::pow(kOtherwise, finer));
+      } else {
+        if (attempt == 1 && !better) cut.reset();
+        field = base.scaled(kOtherwise[std::min<std::size_t>(attempt - 1, kOtherwise.size() - 1)]);
       }
     } catch (const MeshingError& error) {
       if (error.kind != Failure::NoMesh) throw;

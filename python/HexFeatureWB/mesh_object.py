@@ -7,7 +7,7 @@ import json
 
 import FreeCAD
 
-from . import core, heat_flux
+from . import core, loads
 
 GROUP = "Hex mesh"
 RESULTS = "Hex mesh result"
@@ -44,6 +44,7 @@ class HexMesh:
 
     def add_properties(self, obj):
         """Add the properties that are missing (a new object, or a document of an older version)."""
+        loads.mend()
         if not hasattr(obj, "Shape") and not hasattr(obj, "Part"):
             obj.addProperty("App::PropertyLink", "Part", GROUP, "the part that is meshed")
         for spec in options_shown():
@@ -84,7 +85,6 @@ class HexMesh:
 
     def onDocumentRestored(self, obj):
         self.add_properties(obj)
-        heat_flux.mend()
         if FreeCAD.GuiUp:
             from .view_provider import revive
 
@@ -162,7 +162,6 @@ def create(document, source, name):
         kind = "Fem::FemMeshObjectPython"
     obj = document.addObject(kind, name)
     HexMesh(obj)
-    heat_flux.mend()
     if hasattr(obj, "Shape"):
         obj.Shape = source
     else:

@@ -1,6 +1,7 @@
 # HexFeatureWB - LGPL-2.1-or-later
 """What the window stands on, without it: freecadcmd -P tests/freecad -P tests/parts -P python -t TestHexFeatureWindowless"""
 import os
+import re
 import tempfile
 import unittest
 
@@ -8,6 +9,7 @@ import FreeCAD
 import Part
 
 import HexFeatureWB
+from HexFeatureWB import analysis
 
 import make_parts
 from hexfeature_documents import DocumentTest, new_part
@@ -137,6 +139,26 @@ class TestJob(unittest.TestCase):
         first, final = (list(r.stage("labels")["label"]) for r in (tee.first_look, tee.result))
         self.assertNotEqual(first, final)
         self.assertGreater(len(tee.first_look.stage("shape")["arcs"]), 12)
+
+
+class TestForceOnARoundFace(DocumentTest):
+    def test_the_whole_force_lands_on_a_disc_of_few_elements(self):
+        document, part = new_part(make_parts.round_bar())
+        mesh = HexFeatureWB.mesh(part, size=6, order=2)
+        disc = next(n for n, face in enumerate(part.Shape.Faces, 1) if isinstance(face.Surface, Part.Plane))
+        none = [(part, ("Face1",))]
+        study, solver = analysis.static_analysis(document, mesh, none, [(part, ("Face%d" % disc,))], 1000.0)
+        from femtools.ccxtools import FemToolsCcx
+
+        with tempfile.TemporaryDirectory() as folder:
+            tools = FemToolsCcx(study, solver, test_mode=False)
+            tools.update_objects()
+            tools.setup_working_dir(folder)
+            tools.write_inp_file()
+            with open(tools.inp_file_name) as f:
+                rows = re.findall(r"^\d+, *[123], *(\S+)$", f.read().partition("*CLOAD")[2], re.MULTILINE)
+        self.assertGreater(len(rows), 20)
+        self.assertAlmostEqual(abs(sum(map(float, rows))), 1000.0, delta=1.0)
 
 
 class TestMissingExtension(unittest.TestCase):

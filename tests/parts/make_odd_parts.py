@@ -101,6 +101,11 @@ def torn():
     return Part.Compound(faces)
 
 
+def corner_cone():
+    """A quarter of a flat cone on the corner of a block: its rim is a sharp edge of 28 degrees inside the top, a quarter of a circle."""
+    return Part.makeBox(20, 20, 6).fuse(Part.makeCone(12, 0, 6.38, V(0, 0, 6), V(0, 0, 1), 90)).removeSplitter()
+
+
 #: name -> (function, ending)
 SHAPES = {
     "plate": (plate, "step"), "far": (far, "step"),
@@ -110,6 +115,7 @@ SHAPES = {
     "shell_inside_out": (shell_inside_out, "brep"),
     "one_face_turned": (one_face_turned, "brep"), "tiny_edge": (tiny_edge, "step"), "sliver": (sliver, "step"),
     "touching": (touching, "step"), "loose_faces": (loose_faces, "brep"), "torn": (torn, "brep"),
+    "corner_cone": (corner_cone, "step"),
 }
 
 

@@ -78,3 +78,11 @@ def test_solids_keep_their_names(odd, tmp_path):
     assert any("do not share nodes" in warning for warning in mesh.report["warnings"])
     mesh.write(tmp_path / "m.inp")
     assert "*ELSET, ELSET=right_block\nSolid2\n" in (tmp_path / "m.inp").read_text()
+
+
+@pytest.mark.parametrize("size", [1, 2])
+def test_a_curved_sharp_edge_inside_a_chart(odd, size):
+    """A quarter of a circle becomes two sides of a square, and a sheet takes the flat corner between them away."""
+    mesh = hexfeature.mesh(odd / "corner_cone.step", size=size, method="feature-line")
+    assert mesh.report["faithfulness"]["sharp_edges_not_followed"] == []
+    assert worst(mesh) > 0.6

@@ -1,0 +1,47 @@
+#!/usr/bin/python3
+# HexFeatureWB - LGPL-2.1-or-later
+"""All of the verification, two programs at a time: benchmarks/verification/everything.py OUT_DIR
+
+run.py beside freecad_loads.py and freecad_examples.py; then their tables and plots go into docs/verification.md. Exit code 1
+when one of them says that a figure is not met.
+"""
+import os
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE)]
+
+import page  # noqa: E402
+
+LANES = (("run.py",), ("freecad_loads.py", "freecad_examples.py"))
+
+
+def main(out):
+    started, codes = time.monotonic(), {}
+
+    def lane(scripts):
+        for script in scripts:
+            with open(os.path.join(out, script.replace(".py", ".log")), "w") as log:
+                codes[script] = subprocess.run(["/usr/bin/python3", str(HERE / script), out], stdout=log, stderr=subprocess.STDOUT,
+                                               env=dict(os.environ, OMP_NUM_THREADS="1")).returncode
+            print("%-24s %s after %.0f s; %s" % (script, "figures not met" if codes[script] else "all figures met",
+                                                 time.monotonic() - started, log.name), flush=True)
+
+    os.makedirs(out, exist_ok=True)
+    lanes = [threading.Thread(target=lane, args=(scripts,)) for scripts in LANES]
+    for thread in lanes:
+        thread.start()
+    for thread in lanes:
+        thread.join()
+    page.write(out)
+    used = os.times()
+    print("%.0f s, processor time %.0f s" % (time.monotonic() - started, used.children_user + used.children_system))
+    return int(any(codes.values()))
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1] if len(sys.argv) > 1 else "out/verification"))

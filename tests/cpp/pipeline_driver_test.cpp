@@ -1,0 +1,133 @@
+// HexFeatureWB - LGPL-2.1-or-later
+// The driver of the methods, with methods made up for it.
+#include <doctest/doctest.h>
+
+#include <thread>
+
+#include "pipeline/solid.h"
+
+using namespace hexfeature;
+
+namespace {
+
+struct NoPart : Part {
+  Geometry geometry() const override { return {}; }
+  int solid_count() const override { return 1; }
+  double volume() const override { return 1; }
+  double diagonal() const override { return 1; }
+  std::vector<std::string> warnings() const override { return {}; }
+  std::vector<Mat3> frames() const override { return {Mat3::Identity()}; }
+  void place(const Mat3&) override {}
+  void place_in_world() override {}
+  Vec3 to_world(const Vec3& p) const override { return p; }
+  Vec3 centre() const override { return Vec3::Zero(); }
+  SurfaceMesh surface(double, Context&) const override { return {}; }
+};
+
+/// A method whose mesh is worth that, and has so many points as its name is long.
+Method yields(const std::string& name, bool faithful, double min_sj, double mean_sj) {
+  return {name, [=](const SolidTask& task) {
+            Candidate candidate;
+            candidate.method = name;
+            candidate.mesh.points.resize(name.size());
+            candidate.worth.faithful = faithful;
+            candidate.worth.lost = faithful ? 0 : 0.05;
+            candidate.worth.min_sj = min_sj;
+            candidate.worth.mean_sj = mean_sj;
+            Attempt attempt;
+            attempt.method = name;
+            task.record(attempt, Context::Clock::now());
+            return candidate;
+          }};
+}
+
+Method fails(const std::string& name, Failure kind) {
+  return {name, [=](const SolidTask& task) -> Candidate {
+            Attempt attempt;
+            attempt.method = name;
+            attempt.step = "somewhere";
+            attempt.reason = name + " cannot";
+            task.record(attempt, Context::Clock::now());
+            throw MeshingError(kind, "somewhere", name + " cannot", "another size", {7});
+          }};
+}
+
+struct Outcome {
+  HexComplex mesh;
+  Result result;
+};
+
+Outcome run(const std::vector<Method>& methods, const std::string& chosen = "auto", double seconds = 0) {
+  Outcome outcome;
+  NoPart part;
+  Options options;
+  options.method = chosen;
+  Context context;
+  if (seconds > 0)
+    context.deadline = Context::Clock::now() + std::chrono::duration_cast<Context::Clock::duration>(std::chrono::duration<double>(seconds));
+  Run all(options, context, outcome.result);
+  outcome.mesh = mesh_solid(part, 1, {Mat3::Identity()}, all, methods);
+  return outcome;
+}
+
+}  // namespace
+
+TEST_CASE("the first method that suffices ends the search") {
+  const Outcome outcome = run({yields("one", true, 0.15, 0.9), yields("three", true, 0.9, 0.95)});
+  CHECK(outcome.result.method == "one");
+  CHECK(outcome.mesh.points.size() == 3);
+  CHECK(outcome.result.attempts.size() == 1);
+}
+
+TEST_CASE("when a method gives up, the next goes on, and the report says why") {
+  const Outcome outcome = run({fails("first", Failure::NoMesh), yields("second", true, 0.3, 0.6)});
+  CHECK(outcome.result.method == "second");
+  REQUIRE(outcome.result.attempts.size() == 2);
+  CHECK(outcome.result.attempts[0].reason == "first cannot");
+  CHECK(outcome.result.attempts[1].reason.empty());
+}
+
+TEST_CASE("the best mesh is kept, not the first nor the last: faithful, then sound, then quality") {
+  CHECK(run({yields("lossy", false, 0.7, 0.9), yields("faithful", true, 0.05, 0.5)}).result.method == "faithful");
+  CHECK(run({yields("faithful", true, 0.05, 0.5), yields("lossy", false, 0.7, 0.9)}).result.method == "faithful");
+  CHECK(run({yields("poor", true, 0.09, 0.95), yields("sound", true, 0.25, 0.6)}).result.method == "sound");
+  const Outcome kept = run({yields("good", true, 0.08, 0.9), yields("bad", true, 0.07, 0.6)});
+  CHECK(kept.result.method == "good");
+  REQUIRE(kept.result.attempts.size() == 2);
+  CHECK(kept.result.attempts[0].reason.empty());
+  CHECK(kept.result.attempts[1].reason == "the mesh of another method is better");
+}
+
+TEST_CASE("when all give up, the first one's reason is told") {
+  try {
+    run({fails("first", Failure::NoMesh), fails("second", Failure::NoMesh)});
+    FAIL("no error");
+  } catch (const MeshingError& error) {
+    CHECK(error.reason == "first cannot");
+    CHECK(error.cad_faces == std::vector<int>{7});
+  }
+}
+
+TEST_CASE("a method chosen by name is the only one") {
+  CHECK(run({yields("one", true, 0.9, 0.9), yields("two", true, 0.5, 0.9)}, "two").result.method == "two");
+  CHECK_THROWS_AS(run({fails("one", Failure::NoMesh), yields("two", true, 0.5, 0.9)}, "one"), MeshingError);
+}
+
+TEST_CASE("what is not for want of a mesh ends the run") {
+  CHECK_THROWS_AS(run({fails("one", Failure::BadInput), yields("two", true, 0.5, 0.9)}), MeshingError);
+  CHECK_THROWS_AS(run({fails("one", Failure::Cancelled), yields("two", true, 0.5, 0.9)}), MeshingError);
+}
+
+TEST_CASE("a method that uses up its share of the time makes room for the next") {
+  const Method slow{"slow", [](const SolidTask& task) -> Candidate {
+                      for (;;) {
+                        task.run.context.check();
+                        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                      }
+                    }};
+  const Outcome outcome = run({slow, yields("quick", true, 0.4, 0.6)}, "auto", 0.2);
+  CHECK(outcome.result.method == "quick");
+  REQUIRE(outcome.result.attempts.size() == 2);
+  CHECK(outcome.result.attempts[0].method == "slow");
+  CHECK(outcome.result.attempts[0].reason == "its share of the time limit is used up");
+}
