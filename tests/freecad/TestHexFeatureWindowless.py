@@ -84,7 +84,7 @@ class TestOlderDocument(DocumentTest):
 
     def test_holds_mesh_groups_and_options_and_can_be_refreshed(self):
         document = self.open()
-        mesh = document.getObject("HexMesh")
+        mesh = document.getObject("Part_Mesh")
         fem = mesh.FemMesh
         self.assertEqual((fem.HexaCount, mesh.NeedsRefresh, mesh.Order, float(mesh.ElementSize.Value)), (mesh.HexCount, False, 2, 6))
         groups = {fem.getGroupName(g): len(fem.getGroupElements(g)) for g in fem.Groups}

@@ -82,6 +82,16 @@ def action(menu_text):
     raise LookupError("there is no menu entry " + menu_text)
 
 
+def press_ok():
+    """The OK button of the open task. Raises LookupError."""
+    for box in FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox):
+        button = box.button(QtGui.QDialogButtonBox.Ok)
+        if button is not None and button.isVisible():
+            button.click()
+            return
+    raise LookupError("there is no OK")
+
+
 def press_keys(*names):
     """Press keys ("H", "Return") on the screen's keyboard, by X's XTEST extension. Raises OSError where its library is missing."""
     x11, xtest = ctypes.CDLL("libX11.so.6"), ctypes.CDLL("libXtst.so.6")

@@ -115,7 +115,7 @@ def cancel():
     """Cancel pressed in the middle of every step: the longest time until the panel can be used again."""
     say("| run | step | lasts | answer to Cancel |")
     say("|---|---|---|---|")
-    for name, size, method in (("crank_shaft", 1.5, "feature-line"), ("pipe_tee", 2.0, "feature-line"), ("crank_shaft", 3.0, "tet-split")):
+    for name, size, method in (("crank_shaft", 2.0, "feature-line"), ("pipe_tee", 2.5, "feature-line"), ("crank_shaft", 4.0, "tet-split")):
         document, part = driver.show_part(make_parts.PARTS[name][0]())
         panel = open_panel(part)
         panel.show_lines.setChecked(False)

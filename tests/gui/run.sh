@@ -18,6 +18,8 @@ fi
 home=$(mktemp -d)
 trap 'rm -rf "$home"' EXIT
 mkdir -m 700 "$home/run"
+mkdir "$home/Mod"
+ln -s "$here/../.." "$home/Mod/HexFeatureWB"  # as a user installs it
 export HEXFEATURE_GUI_TESTS="$*" HEXFEATURE_GUI_TEST_DIR="$here" FREECAD_USER_HOME="$home" XDG_RUNTIME_DIR="$home/run"
 export LIBGL_ALWAYS_SOFTWARE=1 QT_QPA_PLATFORM=xcb QT_X11_NO_MITSHM=1 QTWEBENGINE_DISABLE_SANDBOX=1 QTWEBENGINE_CHROMIUM_FLAGS=--no-sandbox
 # Without the start page, which opens by itself at any time, and without the report window's opening.
@@ -34,7 +36,7 @@ cat >"$home/user.cfg" <<'END'
 END
 code=0
 timeout "${HEXFEATURE_GUI_TIMEOUT:-600}" xvfb-run -a -s "-screen 0 1600x1000x24 +extension GLX +render -noreset" \
-  "${FREECAD:-freecad}" -u "$home/user.cfg" -s "$home/system.cfg" -M "$here/../.." "$here/start.py" >"$home/log" 2>&1 || code=$?
+  "${FREECAD:-freecad}" -u "$home/user.cfg" -s "$home/system.cfg" "$here/start.py" >"$home/log" 2>&1 || code=$?
 if [ -n "${HEXFEATURE_GUI_MODULE:-}" ]; then
   sed -n "/^FreeCAD [0-9]/,\$p" "$home/log"
 elif [ "$code" = 0 ]; then

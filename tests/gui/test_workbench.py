@@ -100,6 +100,7 @@ class TestCommands(GuiTest):
     def test_icons_are_seen_on_light_and_dark_themes(self):
         names = sorted(name[:-4] for name in os.listdir(os.path.join(ROOT, "Resources", "icons")) if name.endswith(".svg"))
         sheet = QtGui.QImage(60 * len(names), 120, QtGui.QImage.Format_RGB32)
+        sheet.fill(QtGui.QColor(128, 128, 128))
         for row, background in enumerate((240, 45)):
             for column, name in enumerate(names):
                 image = QtGui.QImage(24, 24, QtGui.QImage.Format_RGB32)
@@ -377,7 +378,7 @@ class TestDocument(GuiTest):
                            stdout=subprocess.DEVNULL, timeout=120, env={**os.environ, "QT_QPA_PLATFORM": "offscreen"})
             document = FreeCAD.openDocument(path)
             live(0.5)
-            mesh = document.getObject("HexMesh")
+            mesh = document.getObject("P_Mesh")
             self.assertTrue(mesh.ViewObject.Visibility)
             driver.look()
             colours = driver.colours_of_view()
@@ -388,7 +389,7 @@ class TestDocument(GuiTest):
     def test_a_document_of_an_older_freecad_shows_its_mesh(self):
         document = FreeCAD.openDocument(os.environ["HEXFEATURE_OLDER_DOCUMENT"])
         live(0.5)
-        mesh = document.getObject("HexMesh")
+        mesh = document.getObject("Part_Mesh")
         self.assertEqual((mesh.FemMesh.HexaCount, mesh.NeedsRefresh), (mesh.HexCount, False))
         driver.look()
         self.assertGreater(driver.colours_of_view()["other"] + driver.colours_of_view()["blue"], 500)
@@ -552,11 +553,11 @@ class TestMacro(GuiTest):
             quality_panel.current.reject()
 
         lines = self.recorded(act)
-        mesh = document.getObject("HexMesh")
+        mesh = document.getObject("Part_Mesh")
         count = mesh.HexCount
         document.removeObject(mesh.Name)
         exec("\n".join(lines), {"App": FreeCAD, "Gui": FreeCADGui})
-        again = document.getObject("HexMesh")
+        again = document.getObject("Part_Mesh")
         self.assertEqual((again.HexCount, again.ViewObject.CutAxis, again.ViewObject.DisplayMode), (count, "X", "Quality"))
 
     def test_refresh_models_and_export(self):
@@ -601,30 +602,71 @@ class TestMacro(GuiTest):
             self.assertTrue(document.getObject("FeatureLines") and document.getObject("RecognitionModel"))
 
 
-class TestAnalysis(GuiTest):
+class TestTried(GuiTest):
+    """A task as a new user does it: FreeCAD's own commands and panels, pressed one after the other (docs/freecad/tried.md)."""
+
+    def constraint(self, command, part, face, fill=lambda dialog: None):
+        """Make a constraint on a face by its panel. The part must be there to be picked."""
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.runCommand(command, 0)
+        live(0.5)
+        self.assertTrue(part.ViewObject.Visibility)  # FreeCAD shows the part and hides its mesh
+        window = FreeCADGui.getMainWindow()
+        add = next(button for button in window.findChildren(QtGui.QToolButton, "btnAdd") if button.isVisible())
+        if add.isCheckable():  # what is picked after it is added
+            add.click()
+        FreeCADGui.Selection.addSelection(part, face)
+        live(0.2)
+        if not add.isCheckable():
+            add.click()
+        fill(window)
+        live(0.2)
+        driver.press_ok()
+        live(0.3)
+
     @unittest.skipUnless(shutil.which("ccx"), "there is no CalculiX")
     def test_from_a_step_file_to_stresses(self):
-        import FemGui
         import Import
         from HexFeatureWB import analysis
 
         with tempfile.TemporaryDirectory() as folder:
             document = FreeCAD.newDocument("Bracket")
+            document.UndoMode = 1
             Import.insert(make_parts.make("bracket", folder), document.Name)
             part = next(o for o in document.Objects if getattr(o, "Shape", None) and o.Shape.Solids)
             driver.look()
+            FreeCADGui.runCommand("FEM_Analysis", 0)
+            live(0.3)
+            study = next(o for o in document.Objects if o.TypeId.startswith("Fem::FemAnalysis"))
             mesh = self.mesh(part, 4)
+            self.assertIn(mesh, study.Group)
             centres = {"Face%d" % n: face.CenterOfMass for n, face in enumerate(part.Shape.Faces, 1)}
             end = max(centres, key=lambda name: centres[name].x)
             top = max(centres, key=lambda name: centres[name].z)
-            study, solver = analysis.static_analysis(document, mesh, [(part, (end,))], [(part, (top,))], 500.0)
-            FemGui.setActiveAnalysis(study)
+            self.constraint("FEM_ConstraintFixed", part, end)
+            picture("tried-constraint")
+
+            def pull(window):
+                child(window, "spinForce").setProperty("rawValue", 500.0 if FreeCAD.Version()[0] == "0" else 500000.0)
+                # 1.x keeps forces in mN
+
+            self.constraint("FEM_ConstraintForce", part, top, pull)
+            force = next(o for o in document.Objects if o.isDerivedFrom("Fem::ConstraintForce"))
+            self.assertAlmostEqual(float(getattr(force.Force, "getValueAs", lambda unit: force.Force)("N")), 500, places=6)
+            FreeCADGui.runCommand("FEM_MaterialSolid", 0)
+            live(0.5)
+            FreeCADGui.Control.closeDialog()
+            steel = next(o for o in document.Objects if o.isDerivedFrom("App::MaterialObjectPython"))
+            steel.Material = {"Name": "Steel", "YoungsModulus": "210000 MPa", "PoissonRatio": "0.30", "Density": "7900 kg/m^3"}
+            document.recompute()
+            solver = next(o for o in study.Group if "Solver" in o.TypeId)
             reaction = FreeCAD.Vector(*analysis.total_reaction(analysis.solve(study, solver, folder)))
             self.assertAlmostEqual(reaction.Length, 500, delta=0.5)
             result = next(o for o in study.Group if o.isDerivedFrom("Fem::FemResultObject"))
             stresses = result.vonMises
             shown = result.Mesh.ViewObject
             mesh.ViewObject.Visibility = False
+            part.ViewObject.Visibility = False
             shown.Visibility = True
             shown.setNodeColorByScalars(list(result.NodeNumbers), list(stresses))
             driver.look()
