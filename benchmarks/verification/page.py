@@ -79,6 +79,7 @@ def plot(rows, path):
     import matplotlib
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
+    from PIL import Image
 
     known = [p for p in problems.PROBLEMS if series(rows, p.name, "C3D10") and first_error(series(rows, p.name, "C3D20R")[-1]) > 1e-6]
     figure, panels = plt.subplots(3, 3, figsize=(12, 10.5))
@@ -104,6 +105,7 @@ def plot(rows, path):
         panel.set_ylabel("relative error")
     figure.tight_layout()
     figure.savefig(path, dpi=75)
+    Image.open(path).convert("P", palette=Image.ADAPTIVE, colors=64).save(path, optimize=True)
 
 
 def loads_table(rows):

@@ -57,7 +57,7 @@ def verify(problem, folder):
             row = {"problem": problem.name, "size": size, "element": element, **solve(problem, shape, mesh, folder, tag)}
             rows.append(row)
             worst = ", ".join("%s %.2e" % item for item in row["errors"].items())
-            print("%-10s %-7g %-7s %6d elements %7d nodes  %s  ccx %.1f s" %
+            print("%-10s %-7g %-9s %6d elements %7d nodes  %s  ccx %.1f s" %
                   (problem.name, size, element, row["cells"], row["nodes"], worst, row["solver_seconds"]), flush=True)
     return rows
 
