@@ -126,10 +126,10 @@ def cancel():
         for step, (begin, lasts) in steps.items():
             child(panel.form, "mesh_button").click()
             job = panel.job
-            while job.is_alive() and job.step != step:
+            while panel.job is job and job.step != step:
                 live(0.002)
             live(lasts / 2)
-            if not job.is_alive():
+            if panel.job is not job:
                 continue
             start = time.monotonic()
             child(panel.form, "cancel_button").click()
@@ -142,12 +142,12 @@ def whole_run(panel):
     """Mesh to the end and give the document back as it was; step -> (beginning, length) of the steps that can be hit."""
     child(panel.form, "mesh_button").click()
     job, seen = panel.job, []
-    while job.is_alive():
+    start = time.monotonic()
+    while panel.job is job:
         if job.step and (not seen or seen[-1][0] != job.step):
-            seen.append((job.step, job.seconds))
+            seen.append((job.step, time.monotonic() - start))
         live(0.002)
-    seen.append(("", job.seconds))
-    wait_until(lambda: panel.job is None)
+    seen.append(("", time.monotonic() - start))
     if panel.mesh is not None:
         panel.document.removeObject(panel.mesh.Name)
         panel.mesh = None
