@@ -28,7 +28,7 @@ make_root() {
     chroot "$root" apt-get -q update >/dev/null
     # What packaging/debian-packages.txt asks for, by names that all suites have; CalculiX is not in every one.
     chroot "$root" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends \
-      freecad freecad-python3 xvfb xauth libgl1-mesa-dri g++ cmake ninja-build ccache make git \
+      freecad freecad-python3 xvfb xauth libgl1-mesa-dri libxtst6 g++ cmake ninja-build ccache make git \
       libeigen3-dev liblemon-dev libnglib-dev libtbb-dev pybind11-dev python3-dev python3-numpy python3-h5py python3-meshio python3-vtk9 \
       libocct-data-exchange-dev libocct-foundation-dev libocct-modeling-algorithms-dev libocct-modeling-data-dev libocct-ocaf-dev \
       libocct-visualization-dev >/dev/null
