@@ -17,7 +17,8 @@ struct InnerCurve {
   bool closed() const { return vertices.front() == vertices.back(); }
 };
 
-/// All of them, sharp ones first, then by rising length: short ones have the least choice. An end is where the curve meets a chain, a branch or a hard CAD vertex.
+/// All of them, sharp ones first, then by rising length: short ones have the least choice. An end is where the curve meets a chain, a
+/// branch or a hard CAD vertex.
 std::vector<InnerCurve> collect_inner_curves(const BoundaryFit& fit);
 
 /// The curve as its region's map shows it, with what routing asks of it.
