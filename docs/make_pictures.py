@@ -195,6 +195,16 @@ def draw_steps(part, size, scratch):
     render.draw(scratch / "smooth.vtk", PICTURES / "smooth.png", size=SIZE, colours=COLOURS)
     render.draw(scratch / "smooth.vtk", PICTURES / "smooth-cut.png", cut=True, size=SIZE, colours=COLOURS)
 
+    hexfeature.mesh(part, size=size, method="tet-split").write(scratch / "tet-split.vtk")
+    render.draw(scratch / "tet-split.vtk", PICTURES / "tet-split.png", size=SIZE, colours=COLOURS)
+    render.draw(scratch / "tet-split.vtk", PICTURES / "tet-split-cut.png", cut=True, size=SIZE, colours=COLOURS)
+
+    # Free turns: a sharp edge inside a chart that is a quarter of a circle.
+    draw = DOCS.parent / "tests" / "parts" / "make_odd_parts.py"
+    subprocess.run(["/usr/bin/python3", str(draw), str(scratch), "corner_cone"], check=True, capture_output=True)
+    hexfeature.mesh(scratch / "corner_cone.step", size=1.5, method="feature-line").write(scratch / "turns.vtk")
+    render.draw(scratch / "turns.vtk", PICTURES / "free-turns.png", "cad_face", size=SIZE, colours=COLOURS, view=(0.6, 1.0, 1.6))
+
 
 GALLERY = """# Gallery
 

@@ -30,6 +30,10 @@ skalierte Jacobi-Determinante: schlechteste %(worst).3f, Mittel %(mean).3f</tran
       <translation>%d Gebiete, %d Merkmalslinien</translation>
     </message>
     <message>
+      <source>%d regions, %d feature lines so far, being repaired ...</source>
+      <translation>bisher %d Gebiete, %d Merkmalslinien, werden noch repariert ...</translation>
+    </message>
+    <message>
       <source>0: each part gets a size of its own, for about 3,000 elements</source>
       <translation>0: jedes Teil bekommt seine eigene Größe, für etwa 3000 Elemente</translation>
     </message>
@@ -222,6 +226,10 @@ skalierte Jacobi-Determinante: schlechteste %(worst).3f, Mittel %(mean).3f</tran
       <translation>Mittlere SJ</translation>
     </message>
     <message>
+      <source>Memory limit (MB), 0: none</source>
+      <translation>Speichergrenze (MB), 0: keine</translation>
+    </message>
+    <message>
       <source>Mesh</source>
       <translation>Vernetzen</translation>
     </message>
@@ -260,6 +268,10 @@ skalierte Jacobi-Determinante: schlechteste %(worst).3f, Mittel %(mean).3f</tran
     <message>
       <source>Nodes</source>
       <translation>Knoten</translation>
+    </message>
+    <message>
+      <source>Not a length: %s</source>
+      <translation>Keine Länge: %s</translation>
     </message>
     <message>
       <source>O-grid sheets</source>
@@ -414,6 +426,10 @@ skalierte Jacobi-Determinante: schlechteste %(worst).3f, Mittel %(mean).3f</tran
       <translation>automatisch</translation>
     </message>
     <message>
+      <source>building FreeCAD's mesh</source>
+      <translation>FreeCADs Netz aufbauen</translation>
+    </message>
+    <message>
       <source>cancelled; the document is as it was</source>
       <translation>abgebrochen; das Dokument ist, wie es war</translation>
     </message>
@@ -448,6 +464,10 @@ skalierte Jacobi-Determinante: schlechteste %(worst).3f, Mittel %(mean).3f</tran
     <message>
       <source>fitting to the part</source>
       <translation>Anpassen an das Teil</translation>
+    </message>
+    <message>
+      <source>from tetrahedra</source>
+      <translation>aus Tetraedern</translation>
     </message>
     <message>
       <source>from tetrahedra, of low quality</source>
@@ -486,6 +506,10 @@ skalierte Jacobi-Determinante: schlechteste %(worst).3f, Mittel %(mean).3f</tran
       <translation>Messen</translation>
     </message>
     <message>
+      <source>megabytes of memory for the whole run; 0 sets no limit</source>
+      <translation>Megabyte Speicher für den ganzen Lauf; 0: keine Grenze</translation>
+    </message>
+    <message>
       <source>meshing method; auto tries them in order</source>
       <translation>Verfahren; auto versucht sie der Reihe nach</translation>
     </message>
@@ -502,8 +526,8 @@ skalierte Jacobi-Determinante: schlechteste %(worst).3f, Mittel %(mean).3f</tran
       <translation>auf CAD-Gebieten</translation>
     </message>
     <message>
-      <source>one file a line: STEP, IGES, BREP or FreeCAD documents</source>
-      <translation>eine Datei je Zeile: STEP, IGES, BREP oder FreeCAD-Dokumente</translation>
+      <source>one file a line: STEP, IGES, BREP or FreeCAD documents; with a size of its own: part.step; 4 mm</source>
+      <translation>eine Datei je Zeile: STEP, IGES, BREP oder FreeCAD-Dokumente; mit eigener Größe: teil.step; 4 mm</translation>
     </message>
     <message>
       <source>options</source>
@@ -558,6 +582,10 @@ skalierte Jacobi-Determinante: schlechteste %(worst).3f, Mittel %(mean).3f</tran
       <translation>Oberflächendreiecke</translation>
     </message>
     <message>
+      <source>tetrahedra</source>
+      <translation>Tetraeder</translation>
+    </message>
+    <message>
       <source>the paper's, on triangles</source>
       <translation>wie veröffentlicht, auf Dreiecken</translation>
     </message>
@@ -568,6 +596,10 @@ skalierte Jacobi-Determinante: schlechteste %(worst).3f, Mittel %(mean).3f</tran
     <message>
       <source>worker threads; the mesh does not depend on it</source>
       <translation>Arbeits-Threads; das Netz hängt nicht davon ab</translation>
+    </message>
+    <message>
+      <source>writing</source>
+      <translation>schreiben</translation>
     </message>
     <message>
       <source>writing the mesh into the document ...</source>

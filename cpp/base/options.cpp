@@ -17,7 +17,7 @@ const std::vector<OptionSpec>& option_list() {
       {"labels", &Options::labels, 0, 0, {"regions", "paper"}, false, "labeller: on CAD regions, or the paper's on triangles"},
       {"capture", &Options::capture, 0, 0, {"sharp", "all"}, false, "CAD edges that mesh edges follow: sharp ones, or all"},
       {"sheets", &Options::sheets, 0, 0, {}, true, "insert O-grid sheets where block borders lie on smooth surface"},
-      {"minimum_layers", &Options::minimum_layers, 1, 100, {}, true, "least number of elements along every block edge"},
+      {"minimum_layers", &Options::minimum_layers, 1, 100, {}, false, "least number of elements along every block edge"},
       {"beta", &Options::beta, 0, 10, {}, true, "speed of the paper's smoothing of degrees of adaptation, equation (1)"},
       {"smoothing_rounds", &Options::smoothing_rounds, 0, 1000, {}, true, "at most so many rounds of the paper's step 3-7b"},
       {"crease_angle",

@@ -157,11 +157,21 @@ PYBIND11_MODULE(_core, m) {
       py::arg("cancelled") = py::none(), "Read a part file and mesh it. Raises MeshingError.");
   m.def(
       "mesh_brep",
-      [](const std::string& brep, const py::dict& options, const py::object& progress, const py::object& log, const py::object& cancelled) {
-        return run([&](const Options& o, Context& c) { return mesh_brep_string(brep, o, c); }, options, progress, log, cancelled);
+      [](const std::string& brep, const py::dict& options, const py::object& progress, const py::object& log, const py::object& cancelled,
+         const py::object& first_look) {
+        FirstLook look;
+        if (!first_look.is_none())
+          look = [&first_look](const Result& result) {
+            auto copy = std::make_shared<Result>(result);  // the run goes on and changes its own
+            py::gil_scoped_acquire gil;
+            first_look(copy);
+          };
+        return run([&](const Options& o, Context& c) { return mesh_brep_string(brep, o, c, look); }, options, progress, log, cancelled);
       },
       py::arg("brep"), py::arg("options") = py::dict(), py::arg("progress") = py::none(), py::arg("log") = py::none(),
-      py::arg("cancelled") = py::none(), "Mesh a B-rep given as text. Raises MeshingError.");
+      py::arg("cancelled") = py::none(), py::arg("first_look") = py::none(),
+      "Mesh a B-rep given as text. first_look(result): called once when labels and feature shape are there that are going to be repaired, "
+      "with their stages. Raises MeshingError.");
 
   bind_arrays(m);
 

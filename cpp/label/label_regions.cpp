@@ -49,6 +49,18 @@ LabelResult label_regions(const SurfaceMesh& mesh, const Geometry& geometry, con
   struct Try {
     double fold_tolerance, work;
   };
+  const auto result_of = [&](const LabelState& state) {
+    LabelResult result;
+    const Regions& regions = tree.regions(state.cutting);
+    result.surface = labelled(regions, state.labels);
+    result.shape = make_feature_shape(result.surface);
+    result.validity = check_validity(result.shape, options.size);
+    result.filled = state.filled;
+    result.energy = state.score.energy;
+    result.defects = state.score.defects;
+    result.sites = regions.site;
+    return result;
+  };
   SearchResult found;
   for (const Try& attempt :
        {Try{options.fold_tolerance, kShort}, Try{std::min(kStrict, options.fold_tolerance), kShort}, Try{options.fold_tolerance, 1.0}}) {
@@ -57,22 +69,16 @@ LabelResult label_regions(const SurfaceMesh& mesh, const Geometry& geometry, con
     search_options.max_expansions = options.max_expansions;
     search_options.max_work = attempt.work * options.max_work;
     search_options.fold_tolerance = attempt.fold_tolerance;
+    if (options.first_look && found.best.labels.empty())
+      search_options.first_look = [&](const LabelState& state) { options.first_look(result_of(state)); };
     SearchResult next = LabelSearch(tree, search_options, fill_sites, context).run();
     const bool better = next.best.filled != found.best.filled ? next.best.filled : next.best.score.defects < found.best.score.defects;
     if (found.best.labels.empty() || better) found = std::move(next);
     if (found.best.filled && (found.best.score.defects < kGood || attempt.work == 1.0)) break;
   }
 
-  LabelResult result;
-  const Regions& regions = tree.regions(found.best.cutting);
-  result.surface = labelled(regions, found.best.labels);
-  result.shape = make_feature_shape(result.surface);
-  result.validity = check_validity(result.shape, options.size);
-  result.filled = found.best.filled;
-  result.energy = found.best.score.energy;
-  result.defects = found.best.score.defects;
+  LabelResult result = result_of(found.best);
   result.expansions = found.expansions;
-  result.sites = regions.site;
   context.log("labels: " + std::to_string(tree.graph(found.best.cutting).site_count()) + " sites, " + std::to_string(found.expansions) +
               " expansions, " + std::to_string(found.scored) + " label sets scored, " + std::to_string(found.fills) + " filled");
   return result;

@@ -498,6 +498,7 @@ void LabelSearch::polish() {
 
 SearchResult LabelSearch::run() {
   push_starts();
+  if (options_.first_look && !finished()) options_.first_look(result_.best);
   while (!finished()) {
     context_.check();
     LabelState state = pop();

@@ -27,11 +27,12 @@ struct LabelState {
 };
 
 struct SearchOptions {
-  double size = 1;               ///< element size h
-  int max_expansions = 4000;     ///< bound on expansions
-  double max_work = 6e7;         ///< bound on counted work: macro edges looked at (about 10 million a second)
-  double fold_tolerance = 0.75;  ///< LabelOptions::fold_tolerance
-  double good_defects = 0.05;    ///< a filled state with fewer soft defects ends the search
+  double size = 1;                                    ///< element size h
+  int max_expansions = 4000;                          ///< bound on expansions
+  double max_work = 6e7;                              ///< bound on counted work: macro edges looked at (about 10 million a second)
+  double fold_tolerance = 0.75;                       ///< LabelOptions::fold_tolerance
+  double good_defects = 0.05;                         ///< a filled state with fewer soft defects ends the search
+  std::function<void(const LabelState&)> first_look;  ///< may be empty: called with the best start when it has to be repaired
 };
 
 struct SearchResult {

@@ -12,6 +12,8 @@
 
 namespace hexfeature {
 
+struct LabelResult;
+
 struct LabelOptions {
   double size = 1;                ///< element size h
   double max_work = 6e7;          ///< bound on counted search work (about 1.5e7 a second); counted, so that results do not depend on time
@@ -19,6 +21,8 @@ struct LabelOptions {
   int max_expansions = 4000;      ///< bound on best-first expansions (deterministic stop)
   double beta = 0.5;              ///< paper's equation (1)
   int max_smoothing_rounds = 50;  ///< paper's step 3-7b, at most so often
+  /// May be empty: called when labels are there that the search is going to repair; neither valid nor filled.
+  std::function<void(LabelResult)> first_look;
 };
 
 /// Tells whether a combinatorially valid feature shape also fills (quantization + lattice): supplied by the pipeline,

@@ -19,10 +19,8 @@ struct Faithfulness {
   double lost_length = 0;             ///< share of the sharp edges' length that no mesh edge follows, 0..1
   double largest_gap = 0;             ///< longest distance from a point of a CAD face to the face's own quads
   /// Nothing lost but a hundredth of the sharp edges, and no whole one (tips that no element can follow).
-  bool complete() const {
-    return faces_without_quads.empty() && faces_not_covered.empty() && lost_length <= 0.01 && sharp_edges_lost.empty() &&
-           corners_lost.empty();
-  }
+  bool complete() const { return faces_without_quads.empty() && faces_not_covered.empty() && edges_kept() && corners_lost.empty(); }
+  bool edges_kept() const { return lost_length <= 0.01 && sharp_edges_lost.empty(); }
 };
 
 /// `surface` is the solid's surface mesh (the CAD, sampled), in the coordinates of `mesh`; null: gaps are not measured.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "fit/fit.h"
 
@@ -13,6 +14,16 @@ namespace {
 
 /// A mesh whose worst element is below this is worth a second try without (or with fewer) sheets.
 constexpr double kGoodEnough = 0.5;
+
+/// With another method to come, elements of all the meshes of one labelling that stay inverted before it is given up.
+constexpr int kVainWork = 15000;
+
+/// What the meshes of one labelling came to so far.
+struct Trials {
+  Worth worth;        ///< of the last one kept; nothing is known of those with inverted elements
+  int vain = 0;       ///< elements of all those that stayed inverted
+  bool once = false;  ///< one that stays inverted is not tried with fewer sheets
+};
 
 std::vector<int> cad_faces_of(const FeatureShape& shape, const std::vector<int>& charts) {
   std::set<int> faces;
@@ -49,6 +60,11 @@ LabelResult label(const SurfaceMesh& surface, const Geometry& geometry, const La
     run.result.adaptation = std::move(paper.adaptation);
     return std::move(paper);
   }
+  if (run.first_look)
+    options.first_look = [&run](LabelResult labels) {
+      run.result.labels = std::move(labels);
+      std::exchange(run.first_look, {})(run.result);
+    };
   return label_regions(surface, geometry, options, fill, run.context);
 }
 
@@ -74,7 +90,7 @@ bool is_better(const SmoothReport& a, const Worth& worth_a, const SmoothReport& 
 /// last inserted first, then without all of them, and the better mesh is kept. What is far from every sheet is not their doing: then
 /// nothing is tried. Where elements stay inverted, once without all the sheets there: such a mesh is seldom saved, and each trial of it is
 /// dear.
-HexComplex smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shape, const SolidTask& task, Worth& best_worth) {
+HexComplex smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shape, const SolidTask& task, Trials& trials) {
   Run& run = task.run;
   const Geometry& geometry = task.part.geometry();
   constexpr int kTrials = 6;
@@ -109,7 +125,8 @@ HexComplex smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shap
     const SmoothReport smoothed = smooth(complex, *geometry.projector, smoothing, run.context);
     run.context.log("with " + std::to_string(report.inserted) + " sheets: min SJ " + std::to_string(smoothed.min_sj));
     const Worth worth = smoothed.inverted == 0 ? worth_of(complex, smoothed, task) : Worth{};
-    if (trial > 0 && !is_better(smoothed, worth, result.smoothing, best_worth)) continue;
+    if (smoothed.inverted > 0) trials.vain += complex.hex_count();
+    if (trial > 0 && !is_better(smoothed, worth, result.smoothing, trials.worth)) continue;
     suspects.clear();
     if (smoothed.inverted > 0 || smoothed.min_sj < kGoodEnough)
       for (int s : sheets_near(complex, report, proved_scaled_jacobians(complex.points, complex.hexes), smoothed.min_sj + 1e-6))
@@ -119,7 +136,9 @@ HexComplex smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shap
     best = std::move(complex);
     result.sheets = std::move(report);
     result.smoothing = smoothed;
-    best_worth = worth;
+    trials.worth = worth;
+    if (smoothed.inverted > 0 && trials.once) break;
+    if (worth.edges_lost && run.options.method == "auto") break;  // the next method will do better
   }
   return best;
 }
@@ -172,7 +191,7 @@ std::vector<int> faces_near_inverted(const HexComplex& complex) {
   return {faces.begin(), faces.end()};
 }
 
-/// Boundary fitting, sheets and smoothing, first with free turns; where that does not keep the whole part, without. Where elements stay
+/// Boundary fitting, sheets and smoothing, first with free turns; where elements stay inverted with these, without. Where elements stay
 /// inverted, again without the inner CAD edges beside them, as long as that makes fewer. Throws MeshingError(NoMesh, "smooth") when some
 /// stay.
 HexComplex fit_and_smooth(const HexComplex& lattice, const SurfaceMesh& mesh, const FeatureShape& shape, const SolidTask& task) {
@@ -183,16 +202,17 @@ HexComplex fit_and_smooth(const HexComplex& lattice, const SurfaceMesh& mesh, co
   fit.size = run.options.size;
   fit.smooth_edges = run.options.capture == "all";
   fit.free_turns = run.options.sheets;
+  Trials trials;
   for (int round = 1, least = std::numeric_limits<int>::max();; ++round) {
     run.begin("fit");
     HexComplex complex = lattice;
     const int turned = fit_boundary(complex, mesh, shape, geometry, fit, run.context);
     run.result.mesh = complex;
     run.complete();
-    Worth worth;
-    complex = smooth_with_sheets(complex, shape, task, worth);
+    trials.once = turned > 0;
+    complex = smooth_with_sheets(complex, shape, task, trials);
     const int inverted = run.result.smoothing.inverted;
-    if (turned > 0 && !(inverted == 0 && worth.faithful)) {
+    if (turned > 0 && inverted > 0) {
       fit.free_turns = false;
       --round;
       continue;
@@ -200,7 +220,8 @@ HexComplex fit_and_smooth(const HexComplex& lattice, const SurfaceMesh& mesh, co
     if (inverted == 0) return complex;
     std::vector<int> released = fit.released;
     for (int e : edges_to_release(complex, geometry)) released.push_back(e);
-    if (round == kRounds || inverted >= least || released.size() == fit.released.size()) {
+    const bool vain = run.options.method == "auto" && trials.vain > kVainWork;
+    if (round == kRounds || vain || inverted >= least || released.size() == fit.released.size()) {
       run.result.mesh = complex;
       throw MeshingError(Failure::NoMesh, "smooth", std::to_string(inverted) + " elements stay inverted or folded",
                          "try another element size, or simplify the faces named", faces_near_inverted(complex));

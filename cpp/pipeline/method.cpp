@@ -22,6 +22,7 @@ Worth worth_of(const HexComplex& mesh, const SmoothReport& smoothing, const Soli
   const Faithfulness kept = measure_faithfulness(mesh, task.part.geometry(), task.solid, &task.run.result.surface, task.run.options.size);
   Worth worth;
   worth.faithful = kept.complete();
+  worth.edges_lost = !kept.edges_kept();
   worth.lost = kept.lost_length + 0.025 * static_cast<double>(kept.faces_without_quads.size() + kept.faces_not_covered.size()) +
                0.01 * static_cast<double>(kept.corners_lost.size());
   worth.min_sj = smoothing.min_sj;

@@ -12,8 +12,9 @@ namespace hexfeature {
 /// What a mesh is worth. Better: one that keeps the part's faces and sharp edges, then one without a bad element, then the higher
 /// quality.
 struct Worth {
-  bool faithful = false;  ///< every CAD face is covered by its quads, every sharp CAD edge followed, every corner a node
-  double lost = 0;        ///< of that: share of the sharp edges' length, 0.025 for each face lost or not covered, 0.01 for each corner
+  bool edges_lost = false;  ///< of the sharp CAD edges more is lost than a mesh may lose: no choice of sheets brings them back
+  bool faithful = false;    ///< every CAD face is covered by its quads, every sharp CAD edge followed, every corner a node
+  double lost = 0;          ///< of that: share of the sharp edges' length, 0.025 for each face lost or not covered, 0.01 for each corner
   double min_sj = 0, mean_sj = 0;
 
   bool sound() const { return min_sj >= 0.2; }

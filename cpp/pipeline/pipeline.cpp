@@ -96,13 +96,14 @@ void mesh_part(Part& part, Run& run) {
 }
 
 template <class Read>
-Result mesh_read_part(const Options& options, Context& context, const Read& read) {
+Result mesh_read_part(const Options& options, Context& context, const Read& read, const FirstLook& first_look = {}) {
   Result result;
   result.options = options;
   if (options.time_limit > 0)
     context.deadline =
         Context::Clock::now() + std::chrono::duration_cast<Context::Clock::duration>(std::chrono::duration<double>(options.time_limit));
   Run run(result.options, context, result);
+  run.first_look = first_look;
   try {
     run.begin("read");
     const std::unique_ptr<Part> part = read();
@@ -121,8 +122,9 @@ Result mesh_file(const std::string& path, const Options& options, Context& conte
   return mesh_read_part(options, context, [&] { return read_part(path, options, context); });
 }
 
-Result mesh_brep_string(const std::string& brep, const Options& options, Context& context) {
-  return mesh_read_part(options, context, [&] { return part_of_brep_string(brep, context); });
+Result mesh_brep_string(const std::string& brep, const Options& options, Context& context, const FirstLook& first_look) {
+  return mesh_read_part(
+      options, context, [&] { return part_of_brep_string(brep, context); }, first_look);
 }
 
 }  // namespace hexfeature

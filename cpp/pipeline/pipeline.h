@@ -1,6 +1,7 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #pragma once
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -69,9 +70,12 @@ struct Result {
   bool certified = false;
 };
 
+/// Called with a result that shows labels and feature shape as they are before the search repairs them: for a preview. May be empty.
+using FirstLook = std::function<void(const Result&)>;
+
 /// Read a part file (.step .stp .iges .igs .brep .brp .stl .obj .ply) and mesh it: the whole way. Throws MeshingError.
 Result mesh_file(const std::string& path, const Options& options, Context& context);
 /// Mesh a B-rep given as text (FreeCAD's shape.exportBrepToString()).
-Result mesh_brep_string(const std::string& brep, const Options& options, Context& context);
+Result mesh_brep_string(const std::string& brep, const Options& options, Context& context, const FirstLook& first_look = {});
 
 }  // namespace hexfeature

@@ -25,6 +25,7 @@ class Run {
   const Options& options;
   Context& context;
   Result& result;
+  FirstLook first_look;  ///< of whoever started the run; empty once it has been called
 
   /// False when these very labels on this very surface were noted before: what follows would be done twice.
   bool is_new(const LabelledSurface& labels);

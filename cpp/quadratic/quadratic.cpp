@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "quadratic/bows.h"
 #include "quadratic/mesh_edges.h"
@@ -33,7 +34,7 @@ class BackOff {
     return result;
   }
   /// Halve the bows of the bad elements' edges, on the CAD too or only inside; at last all of them. Returns what is still bad.
-  std::vector<int> straighten(std::vector<int> bad, bool on_cad, std::vector<char>& moved) {
+  std::vector<int> straighten(std::vector<int> bad, bool on_cad) {
     for (int round = 0; !bad.empty(); ++round) {
       std::vector<int> halved;
       for (int h : bad)
@@ -42,10 +43,7 @@ class BackOff {
       std::sort(halved.begin(), halved.end());
       halved.erase(std::unique(halved.begin(), halved.end()), halved.end());
       if (halved.empty()) break;
-      for (int e : halved) {
-        bows_.bow[e] *= round < kHalvings ? 0.5 : 0.0;
-        moved[e] = 1;
-      }
+      for (int e : halved) bows_.bow[e] *= round < kHalvings ? 0.5 : 0.0;
       bad = this->bad();
     }
     return bad;
@@ -57,6 +55,23 @@ class BackOff {
   Bows& bows_;
   Context& context_;
 };
+
+/// Let one mid-side node of each bad element leave the CAD, before others one on a face, before others the one most bent.
+/// False when none of them is on the CAD.
+bool release_from_cad(const MeshEdges& edges, const std::vector<int>& bad, Bows& bows) {
+  bool any = false;
+  for (int h : bad) {
+    int chosen = -1;
+    const auto key = [&](int e) { return std::make_pair(bows.place[e].dim, bows.bow[e].norm() / bows.length[e]); };
+    for (int e : edges.of_hex[h])
+      if (bows.place[e].dim < 3 && (chosen < 0 || key(e) > key(chosen))) chosen = e;
+    if (chosen < 0) continue;
+    bows.place[chosen] = CadPlace{};
+    bows.bow[chosen] *= 0.5;
+    any = true;
+  }
+  return any;
+}
 
 /// Distance of the mid-side node of an edge from the curve or face that it claims to lie on; 0 inside.
 double deviation_of(const Bows& bows, int e, const Projector& projector) {
@@ -75,20 +90,25 @@ QuadraticMesh make_quadratic(const HexComplex& complex, const Projector& project
   Bows bows = place_mid_sides(complex, edges, projector, context);
 
   BackOff back_off(complex, edges, bows, context);
-  std::vector<char> moved(edges.count(), 0);
-  std::vector<int> bad = back_off.straighten(back_off.bad(), false, moved);
-  bad = unfold(complex, edges, projector, bad, bows, context);
-  back_off.straighten(bad, true, moved);
+  const std::vector<CadPlace> claimed = bows.place;
+  std::vector<int> bad = unfold(complex, edges, projector, back_off.straighten(back_off.bad(), false), bows, context);
+  while (!bad.empty() && release_from_cad(edges, bad, bows)) bad = unfold(complex, edges, projector, bad, bows, context);
+  back_off.straighten(bad, true);
 
   const int first_mid = complex.point_count();
   std::vector<char> off_cad(edges.count(), 0);
-  for (int e = 0; e < edges.count(); ++e)
-    // A straight curve or a plane has the chord's middle on it.
-    if (moved[e] && deviation_of(bows, e, projector) > kOnCad * bows.length[e]) {
+  for (int e = 0; e < edges.count(); ++e) {
+    bows.place[e] = claimed[e];
+    const double distance = deviation_of(bows, e, projector);
+    // One that went back to the chord is still on a straight curve or a plane.
+    if (distance > kOnCad * bows.length[e]) {
       off_cad[e] = 1;
       result.straightened.push_back(first_mid + e);
       bows.place[e] = CadPlace{};
+    } else {
+      result.deviation = std::max(result.deviation, distance);
     }
+  }
   for (std::size_t q = 0; q < complex.quads.size(); ++q)
     if (std::any_of(edges.of_quad[q].begin(), edges.of_quad[q].end(), [&](int e) { return off_cad[e] != 0; }))
       result.straightened_faces.push_back(complex.quad_face[q]);
@@ -96,7 +116,6 @@ QuadraticMesh make_quadratic(const HexComplex& complex, const Projector& project
   result.straightened_faces.erase(std::unique(result.straightened_faces.begin(), result.straightened_faces.end()),
                                   result.straightened_faces.end());
 
-  for (int e = 0; e < edges.count(); ++e) result.deviation = std::max(result.deviation, deviation_of(bows, e, projector));
   result.least_jacobian = std::numeric_limits<double>::max();
   result.hexes.resize(complex.hexes.size());
   for (int h = 0; h < complex.hex_count(); ++h) {

@@ -28,7 +28,7 @@ struct QuadraticMesh {
 /// Put mid-side nodes on the CAD, bent smoothly through the part (place_mid_sides), and prove the Jacobian determinant of
 /// every element positive everywhere by the Bernstein coefficients of its second-order map. Where that fails, the element's
 /// mid-side nodes inside the part go back to the chord, by halves; where that is not enough, its nodes move inside and on the CAD
-/// (unfold); and as the last resort those on the CAD go back to the chord too: then a load that looks for its nodes by geometry
+/// (unfold); where even that is not enough, one after the other leaves the CAD: then a load that looks for its nodes by geometry
 /// misses them. A straight-sided element has the first-order map, which is proved already: so this ends.
 QuadraticMesh make_quadratic(const HexComplex& complex, const Projector& projector, Context& context);
 

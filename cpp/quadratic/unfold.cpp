@@ -10,6 +10,7 @@ namespace hexfeature {
 namespace {
 
 constexpr int kRounds = 40;
+constexpr double kGain = 0.01;  // a round that takes away less of what is lacking is the last
 constexpr int kNewton = 10;
 constexpr int kShorter = 6;      // times a step is halved
 constexpr double kWanted = 0.1;  // least coefficient, of the mean of the straight-sided element's
@@ -25,6 +26,7 @@ class Unfolding {
  public:
   Unfolding(const HexComplex& complex, const MeshEdges& edges, const Projector& projector, Bows& bows, Context& context)
       : complex_(complex), edges_(edges), projector_(projector), bows_(bows), context_(context) {
+    scale_.assign(edges.of_hex.size(), 0);
     first_.assign(edges.count() + 1, 0);
     for (const auto& of_hex : edges.of_hex)
       for (int e : of_hex) ++first_[e + 1];
@@ -41,6 +43,7 @@ class Unfolding {
       for (int h : bad) moving.insert(moving.end(), edges_.of_hex[h].begin(), edges_.of_hex[h].end());
       make_unique(moving);
       std::vector<int> touched = bad;
+      lacked_ = gained_ = 0;
       for (int e : moving) {
         context_.check();
         if (!improve(e)) continue;
@@ -50,6 +53,7 @@ class Unfolding {
       bad.clear();
       for (int h : touched)
         if (!proves_positive(bent_element(complex_, edges_, bows_, h))) bad.push_back(h);
+      if (gained_ < kGain * lacked_) break;
     }
     return bad;
   }
@@ -65,12 +69,12 @@ class Unfolding {
   }
 
   /// The mean coefficient of the straight-sided element: its volume over 8.
-  double scale(int h) const {
+  double scale(int h) {
+    if (scale_[h] != 0) return scale_[h];
     Hex20 x = bent_element(complex_, edges_, bows_, h);
     for (int k = 0; k < 12; ++k) x[8 + k] = bows_.chord[edges_.of_hex[h][k]];
-    double mean = 0;
-    for (double c : jacobian_bernstein(x)) mean += c / 216;
-    return mean;
+    for (double c : jacobian_bernstein(x)) scale_[h] += c / 216;
+    return scale_[h];
   }
 
   /// What the coefficients around lack, squared, after moving the node by d; with its first and second derivatives.
@@ -127,6 +131,7 @@ class Unfolding {
       for (Vec3& v : around_.back().slope) v *= s;
     }
     const double length = bows_.length[e], before = lack(around_, Vec3::Zero(), length, nullptr, nullptr);
+    lacked_ += before;
     const Mat3 basis = directions(e);
     Vec3 d = Vec3::Zero();
     double now = before;
@@ -152,7 +157,9 @@ class Unfolding {
     // On the CAD the node ends beside where the plane or the line of its directions leads.
     for (int half = 0; half < kShorter; ++half, d *= 0.5) {
       const Vec3 bow = moved(e, d);
-      if (!(lack(around_, bow - bows_.bow[e], length, nullptr, nullptr) < before * (1 - 1e-6))) continue;
+      const double after = lack(around_, bow - bows_.bow[e], length, nullptr, nullptr);
+      if (!(after < before * (1 - 1e-6))) continue;
+      gained_ += before - after;
       bows_.bow[e] = bow;
       if (bows_.place[e].dim == 1) put_on_edge(bows_, e, projector_);
       if (bows_.place[e].dim == 2) put_on_face(bows_, e, projector_);
@@ -169,6 +176,8 @@ class Unfolding {
   std::vector<int> first_;  // of an edge in use_
   std::vector<Use> use_;
   std::vector<Around> around_;
+  std::vector<double> scale_;       // of the elements met so far
+  double lacked_ = 0, gained_ = 0;  // in this round, over the nodes moved
 };
 
 }  // namespace

@@ -58,6 +58,7 @@ Patch::Patch(const HexComplex& mesh, const std::vector<char>& free_points, Smoot
       own[v] = static_cast<int>(nodes.size());
       nodes.push_back(v);
     }
+  setting.context.check();
   std::vector<CadPlace> place;
   for (int v : nodes) {
     free.push_back(free_points[v] && !setting.held[v]);
@@ -78,8 +79,10 @@ Patch::Patch(const HexComplex& mesh, const std::vector<char>& free_points, Smoot
     // An element that comes with a shorter edge (a thin wall) may keep it.
     least.push_back(std::max(std::min(0.05 * h, 0.9 * edge), 1e-9 * size));
   }
+  setting.context.check();
   boundary = std::make_unique<Boundary>(place, free, setting.projector, setting.options.size, setting.workers, setting.context);
   energy = std::make_unique<HexEnergy>(hexes, static_cast<int>(nodes.size()), target, shortest, least, thorough, setting.workers);
+  setting.context.check();
   std::vector<Span> spans;
   for (const Span& s : setting.spans)
     if (own[s.a] >= 0 && own[s.b] >= 0 && (free_points[s.a] || free_points[s.b]))

@@ -46,13 +46,14 @@ std::vector<double> target_sizes(const HexComplex& mesh, double h, double least)
 /// The lengths that the mesh edges along CAD curves should keep. Without them points slide along a curve wherever an element
 /// gains a little, until neighbours stand 5 h or nothing apart: long chords then cut off the curve that the mesh follows. An edge
 /// may stretch until its sag (curvature |e|^2 / 8) is 0.15 h; a nearly straight one to 1.6 times the length that it came with.
-std::vector<Span> curve_spans(const HexComplex& mesh, const Projector& projector, double h) {
+std::vector<Span> curve_spans(const HexComplex& mesh, const Projector& projector, double h, const Context& context) {
   constexpr double kSag = 0.15, kStretch = 1.6, kLong = 1.6;
   const std::size_t n = std::min(mesh.feature_edges.size(), mesh.feature_edge_cad.size());
   // Curvature from the tangents at both ends; of neighbours along one CAD edge the greatest, since points slide from one to the next.
   std::vector<double> curvature(n, 0.0), length(n, 0.0);
   std::map<std::pair<int, int>, double> at_node;  // (CAD edge, point)
   for (std::size_t i = 0; i < n; ++i) {
+    if (i % 256 == 0) context.check();
     const auto& e = mesh.feature_edges[i];
     const int cad = mesh.feature_edge_cad[i];
     length[i] = (mesh.points[e[1]] - mesh.points[e[0]]).norm();
@@ -109,7 +110,7 @@ SmoothReport smooth(HexComplex& mesh, const Projector& projector, const SmoothOp
                         context,
                         workers,
                         target_sizes(mesh, options.size, options.least_target),
-                        curve_spans(mesh, projector, options.size),
+                        curve_spans(mesh, projector, options.size, context),
                         std::vector<char>(mesh.points.size(), 0)};
   for (int v : options.held) setting.held[v] = 1;
   std::vector<double> quality;

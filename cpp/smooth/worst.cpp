@@ -80,7 +80,7 @@ void lift_worst(HexComplex& mesh, SmoothSetting& setting) {
     setting.context.progress("smooth", 0.8 + 0.2 * k / kSweeps);
     measure(mesh, setting.workers, quality);
     const double worst = *std::min_element(quality.begin(), quality.end());
-    const double limit = std::clamp(worst + 0.25, 0.5, 0.8);
+    const double limit = std::clamp(worst + 0.25, 0.5, 0.95);
     if (!(worst > 0) || worst >= limit) return;
     Patch patch(mesh, points_near(mesh, 2, [&](int h) { return quality[h] < limit; }), setting);
     const double gain = sweep(patch, k == 0 ? std::vector<int>{1, 1, 2, 2, 4, 4, 8, 8, 16} : std::vector<int>{4, 8, 16, 16},

@@ -1,6 +1,8 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #include "tetsplit/tet_split.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -42,7 +44,8 @@ std::vector<Vec3> bad_places(const HexComplex& mesh, double limit) {
 
 HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const TetSplitOptions& options, Context& context,
                      TetSplitReport& report) {
-  constexpr double kFiner = 0.6, kOtherwise = 0.85;
+  constexpr double kFiner = 0.6;
+  constexpr std::array<double, 4> kOtherwise{1.2, 0.85, 0.72, 0.6};
   const double h = options.size;
   context.progress("tet-split", 0);
   SizeOptions sizes;
@@ -50,9 +53,9 @@ HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const
   sizes.least = 0.7 * h;
   sizes.least_curve = 1.1 * h;
   sizes.least_wall = 0.35 * h;
-  Remesher fine(surface, geometry, kTiny * h);
-  fine.refine([&](const Vec3&) { return h; }, context);
-  const SizeField base(fine.result(), geometry, sizes, context);
+  Remesher whole(surface, geometry, kTiny * h);
+  whole.refine([&](const Vec3&) { return h; }, context);
+  const SizeField base(whole.result(), geometry, sizes, context);
   SizeField field = base;
 
   SmoothOptions smoothing;
@@ -60,14 +63,14 @@ HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const
   smoothing.threads = options.threads;
   smoothing.least_target = 0.02;
   std::optional<HexComplex> best;
-  int work = 0, finer = 0;
-  bool tips_cut = false;
+  std::optional<Remesher> cut;  // without the tips of faces
+  int work = 0;
   std::optional<MeshingError> failure;
   for (int attempt = 0; attempt < options.attempts; ++attempt) {
     ++report.attempts;
     try {
       context.progress("tet-split", static_cast<double>(attempt) / options.attempts);
-      Remesher remesher = fine;
+      Remesher remesher = cut ? *cut : whole;
       remesher.remesh([&](const Vec3& p) { return field.at(p); }, 6, context);
       remesher.cut_ears(context);
       std::vector<int> pinned;
@@ -94,21 +97,18 @@ HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const
       if (smoothed.inverted == 0 && smoothed.min_sj >= options.good_enough) break;
       work += mesh.hex_count();
       if (smoothed.inverted == 0 && smoothed.min_sj >= kBearable && work > kMostWork) break;
-      // Without the tips of faces that forbid a better mesh; finer where it was bad; then a little finer everywhere, since other
-      // elements meet there.
-      bool changed = false;
+      // Finer where it was bad, and without the tips of faces that forbid a better mesh, if that helps; then coarser and finer everywhere,
+      // since other elements meet there.
       if (attempt == 0) {
-        const std::vector<Vec3> places = bad_places(mesh, options.good_enough);
-        field.refine(places, kFiner);
-        changed = true;
+        field.refine(bad_places(mesh, options.good_enough), kFiner);
+        if (smoothed.min_sj < kTipsForbid) {
+          cut.emplace(whole);
+          context.log("tet-split: " + std::to_string(cut->cut_tips(kTipWidth * h, kTipLength * h, context)) + " tips cut");
+        }
+      } else {
+        if (attempt == 1 && !better) cut.reset();
+        field = base.scaled(kOtherwise[std::min<std::size_t>(attempt - 1, kOtherwise.size() - 1)]);
       }
-      if (!tips_cut && report.smoothing.min_sj < kTipsForbid) {
-        tips_cut = true;
-        const int tips = fine.cut_tips(kTipWidth * h, kTipLength * h, context);
-        context.log("tet-split: " + std::to_string(tips) + " tips cut");
-        changed |= tips > 0;
-      }
-      if (!changed) field = base.scaled(std::pow(kOtherwise, ++finer));
     } catch (const MeshingError& error) {
       if (error.kind != Failure::NoMesh) throw;
       context.log("tet-split, attempt " + std::to_string(attempt + 1) + " gave up in step " + error.step + ": " + error.reason);

@@ -13,7 +13,7 @@ The geometry is done by the package ``hexfeature``, which knows no FreeCAD; this
 meshes back. What has a window is in HexFeatureWB.gui.
 """
 _HOMES = {
-    "MeshingError": "meshing", "check_groups": "meshing", "mesh": "meshing", "refresh": "meshing",
+    "MeshingError": "meshing", "check_groups": "group_check", "mesh": "meshing", "refresh": "meshing",
     "export": "exporting", "feature_lines": "models", "recognition_model": "models",
 }
 __all__ = sorted(_HOMES)

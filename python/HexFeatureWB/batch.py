@@ -22,6 +22,9 @@ import Part  # noqa: F401  makes Part::Feature known
 from . import core
 from .meshing import MeshingError, mesh
 
+#: ((files, folder, options), rows): what the window has just run
+_ready = None
+
 COLUMNS = ["file", "solid", "result", "method", "hexes", "min_sj", "mean_sj", "seconds", "why"]
 
 
@@ -75,18 +78,27 @@ def mesh_one(shape, stem, options):
 
 
 class Item(NamedTuple):
-    """One solid to mesh: where it is from and the path, without ending, of what it leaves."""
+    """One solid to mesh: where it is from, the path, without ending, of what it leaves, and the file's own element size or None."""
 
     file: str
     name: str
     shape: object
     stem: str
+    size: object = None
+
+    def options(self, common):
+        """The batch's options with this solid's own."""
+        return common if self.size is None else {**common, "size": self.size}
 
 
 def items(files, out):
-    """Go through the files: yields an Item for each solid, and the summary's row of each file that cannot be read."""
+    """Go through the files: yields an Item for each solid, and the summary's row of each file that cannot be read.
+
+    A file is a path, or (path, element size in mm).
+    """
     stems = set()
-    for path in files:
+    for file in files:
+        path, size = file if isinstance(file, (tuple, list)) else (file, None)
         stem = _free_stem(path, stems)
         stems.add(stem)
         stem = os.path.join(out, stem)
@@ -98,7 +110,7 @@ def items(files, out):
             yield _row(path, "", "unreadable", why=_reason(error))
             continue
         for name, shape in solids:
-            yield Item(path, name, shape, stem + ("-" + name if name else ""))
+            yield Item(path, name, shape, stem + ("-" + name if name else ""), size)
 
 
 def row_of(item, start, report=None, error=None):
@@ -123,7 +135,14 @@ def write_summary(rows, out):
 
 
 def run(files, out, options):
-    """Mesh every solid of `files` into the folder `out`; returns (rows of the summary, exit code)."""
+    """Mesh every solid of `files` into the folder `out`; returns (rows of the summary, exit code).
+
+    files: paths, or (path, element size in mm) for a size of its own; options: as of `HexFeatureWB.mesh`.
+    """
+    global _ready
+    ready, _ready = _ready, None
+    if ready and ready[0] == (files, out, options):
+        return ready[1], write_summary(ready[1], out)
     os.makedirs(out, exist_ok=True)
     rows = []
     for item in items(files, out):
@@ -132,10 +151,17 @@ def run(files, out, options):
             continue
         start = time.time()
         try:
-            rows.append(row_of(item, start, report=mesh_one(item.shape, item.stem, options)))
+            rows.append(row_of(item, start, report=mesh_one(item.shape, item.stem, item.options(options))))
         except Exception as error:  # one part must not end the batch
             rows.append(row_of(item, start, error=error))
     return rows, write_summary(rows, out)
+
+
+def offer(files, out, options, rows):
+    """Lend the rows of a batch that the window has just run to the next run() of the same: the recorded line is then the one that
+    ended the batch, and repeats all of it in a macro."""
+    global _ready
+    _ready = ((files, out, options), rows)
 
 
 def _free_stem(path, taken):

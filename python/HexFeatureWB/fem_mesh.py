@@ -1,6 +1,8 @@
 # HexFeatureWB - LGPL-2.1-or-later
 """Arrays to FreeCAD's Fem.FemMesh and its groups. The only place that knows SMESH's node order."""
+import collections
 import re
+import time
 
 import numpy as np
 
@@ -10,27 +12,61 @@ HEX20 = HEX8 + [11, 10, 9, 8, 15, 14, 13, 12, 16, 19, 18, 17]
 
 
 def to_fem_mesh(result):
-    """Build a Fem.FemMesh of a core result.
+    """Build a Fem.FemMesh of a core result in one go. Returns (mesh, ids) as of FemMeshBuilder."""
+    builder = FemMeshBuilder(result)
+    while not builder.work(3600):
+        pass
+    return builder.mesh, builder.ids
+
+
+class FemMeshBuilder:
+    """Builds a Fem.FemMesh of a core result by and by, so that a window stays alive meanwhile: call `work` until it is True.
 
     result: hexfeature._core.Result, certified.
-    Returns (mesh, ids): ids["faces"][CAD face number], ids["edges"][...], ids["vertices"][...] are sorted lists of
-    face-element ids (faces) and node ids (edges, vertices); ids["solids"][n] are volume ids. Node i of the result
-    has id i + 1.
+    mesh: node i of the result has id i + 1, then hexahedron i, and behind the hexahedra quad i.
+    ids: ["faces"][CAD face number], ["edges"][...], ["vertices"][...] are sorted lists of face-element ids (faces) and node ids
+    (edges, vertices); ["solids"][n] are volume ids.
     """
-    import Fem
 
-    second_order = len(result.hexes20) > 0
-    hexes = np.asarray(result.hexes20 if second_order else result.hexes)[:, HEX20 if second_order else HEX8] + 1
-    quads = np.asarray(result.quads8 if second_order else result.quads) + 1
-    mesh = Fem.FemMesh()
-    for number, (x, y, z) in enumerate(np.asarray(result.points).tolist(), 1):
-        mesh.addNode(x, y, z, number)
-    for number, nodes in enumerate(hexes.tolist(), 1):
-        mesh.addVolume(nodes, number)
-    first_quad = len(hexes) + 1
-    for number, nodes in enumerate(quads.tolist(), first_quad):
-        mesh.addFace(nodes, number)
+    CHUNK = 2000  # entities between two looks at the clock
 
+    def __init__(self, result):
+        import Fem
+
+        self.mesh = Fem.FemMesh()
+        second_order = len(result.hexes20) > 0
+        hexes = np.asarray(result.hexes20 if second_order else result.hexes)[:, HEX20 if second_order else HEX8] + 1
+        quads = np.asarray(result.quads8 if second_order else result.quads) + 1
+        points = np.asarray(result.points)
+        self.ids = _group_ids(result, len(hexes) + 1)
+        self._done, self._all = 0, len(points) + len(hexes) + len(quads)
+        self._parts = self._chunks(points, hexes, quads)
+
+    def _chunks(self, points, hexes, quads):
+        for add, rows, first, columns in (
+            (self.mesh.addNode, points, 1, True), (self.mesh.addVolume, hexes, 1, False), (self.mesh.addFace, quads, len(hexes) + 1, False)
+        ):
+            for at in range(0, len(rows), self.CHUNK):
+                some = rows[at:at + self.CHUNK]
+                numbers = range(first + at, first + at + len(some))
+                collections.deque(map(add, *(some.T.tolist() if columns else [some.tolist()]), numbers), maxlen=0)
+                self._done += len(some)
+                yield
+
+    @property
+    def fraction(self):
+        return self._done / max(1, self._all)
+
+    def work(self, seconds):
+        """Go on for about so long; True when the mesh is complete."""
+        end = time.monotonic() + seconds
+        for _ in self._parts:
+            if time.monotonic() > end:
+                return False
+        return True
+
+
+def _group_ids(result, first_quad):
     ids = {"faces": {}, "edges": {}, "vertices": {}, "solids": {}}
     quad_face = np.asarray(result.quad_face)
     for face in np.unique(quad_face[quad_face > 0]).tolist():
@@ -48,7 +84,7 @@ def to_fem_mesh(result):
     solids = np.asarray(result.hex_solid)
     for solid in np.unique(solids).tolist():
         ids["solids"][solid] = (np.flatnonzero(solids == solid) + 1).tolist()
-    return mesh, ids
+    return ids
 
 
 def first_middle(result):

@@ -17,6 +17,7 @@ class Job(threading.Thread):
         super().__init__(name="HexFeatureWB", daemon=True)
         self.brep, self.options = brep, dict(options)
         self.result = self.error = None
+        self.first_look = None  #: a Result with the stages labels and shape as they are before the search repairs them, or None
         self.step, self.fraction = "", 0.0
         self.lines = []  #: of the log, in order; other threads may read it while it grows
         self.started_at = self.ended_at = None
@@ -29,7 +30,9 @@ class Job(threading.Thread):
 
     def run(self):
         try:
-            self.result = core.load().mesh_brep(self.brep, self.options, self._progress, self._log, self._cancelled.is_set)
+            self.result = core.load().mesh_brep(
+                self.brep, self.options, self._progress, self._log, self._cancelled.is_set, self._take_first_look
+            )
         except BaseException as error:  # handed to whoever started the job
             self.error = error
         self.ended_at = time.monotonic()
@@ -51,6 +54,9 @@ class Job(threading.Thread):
         if step != self.step:
             self.lines.append("%6.2f s  %s" % (self.seconds, step))
         self.step, self.fraction = step, fraction
+
+    def _take_first_look(self, result):
+        self.first_look = result
 
     def _log(self, line):
         self.lines.append("%6.2f s  %s" % (self.seconds, line))

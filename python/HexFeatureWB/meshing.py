@@ -5,11 +5,12 @@ import json
 import FreeCAD
 
 from . import core, fem_mesh, mesh_object
+from .group_check import differing_groups
 from .source import names_of, shape_to_mesh
 
 MeshingError = core.load().MeshingError
 
-#: (B-rep text, options, result): what a panel's worker has just made, for the next call that asks for the same.
+#: (B-rep text, options, result, FemMeshBuilder): what a panel has just made, for the next call that asks for the same.
 _ready = None
 
 
@@ -19,7 +20,8 @@ def mesh(obj, size=None, analysis=None, name=None, progress=None, cancelled=None
     obj: a document object with a Shape (Part feature, PartDesign body, link, ...).
     size: element size in mm; None lets the core choose one.
     analysis: a FEM analysis that takes the mesh (it replaces the analysis' old one).
-    name: name of the new object; default HexMesh.
+    name: name of the new object; default that of the part with _Mesh: FreeCAD shows the part and hides the mesh when
+        a constraint is made, if the mesh has this name.
     progress(step, fraction), cancelled() -> bool: called while meshing.
     solid: of a part with several solids the number of one, from 1; 0 meshes all of them.
     options: as on the command line (order=2 by default, labels, capture, ...).
@@ -36,7 +38,7 @@ def mesh(obj, size=None, analysis=None, name=None, progress=None, cancelled=None
     document = obj.Document
     document.openTransaction("Hex mesh")
     try:
-        result_object = mesh_object.create(document, obj, name or "HexMesh")
+        result_object = mesh_object.create(document, obj, name or obj.Name + "_Mesh")
         result_object.Solid = solid
         if size is not None:
             options["size"] = size
@@ -84,20 +86,23 @@ def set_options(mesh_obj, options):
             raise usage("%s cannot be %r" % (option, value)) from None
 
 
-def offer(brep, options, result):
-    """Lend a finished result to the next mesh() or refresh() of the same part and options: the line that the macro recorder
-    sees is then the very line that put the mesh into the document, though a worker thread made it."""
+def offer(brep, options, result, builder=None):
+    """Lend a finished result, and its Fem.FemMesh when it is built, to the next mesh() or refresh() of the same part and options:
+    the line that the macro recorder sees is then the very line that put the mesh into the document, though a worker made it."""
     global _ready
-    _ready = (brep, dict(options), result)
+    _ready = (brep, dict(options), result, builder)
 
 
 def _compute(brep, options, progress, cancelled):
+    """(result, Fem.FemMesh, its ids)"""
     global _ready
     ready, _ready = _ready, None
-    if ready and ready[0] == brep and ready[1] == options:
-        return ready[2]
-    # The options are checked by the core; a text is the way that is free of FreeCAD's OpenCASCADE version.
-    return core.load().mesh_brep(brep, options, progress, None, cancelled)
+    if ready and ready[:2] == (brep, options):
+        result, builder = ready[2:]
+    else:
+        # The options are checked by the core; a text is the way that is free of FreeCAD's OpenCASCADE version.
+        result, builder = core.load().mesh_brep(brep, options, progress, None, cancelled), None
+    return (result, builder.mesh, builder.ids) if builder else (result, *fem_mesh.to_fem_mesh(result))
 
 
 def _fill(mesh_obj, progress, cancelled):
@@ -105,11 +110,15 @@ def _fill(mesh_obj, progress, cancelled):
     source = mesh_object.source_of(mesh_obj)
     shape = shape_to_mesh(source, mesh_obj.Solid)
     names = names_of(source, shape)
-    result = _compute(shape.exportBrepToString(), mesh_object.options_of(mesh_obj), progress, cancelled)
-    fem, ids = fem_mesh.to_fem_mesh(result)
+    result, fem, ids = _compute(shape.exportBrepToString(), mesh_object.options_of(mesh_obj), progress, cancelled)
     fem_mesh.add_groups(fem, ids, names)
     report = result.report()
-    report["groups_not_found_by_geometry"] = check_groups(fem, shape, ids)
+    report["groups_not_found_by_geometry"] = differing_groups(result, fem, shape, ids)
+    # Seams and the vertices where closed curves begin have no nodes of their own: a constraint put there finds nothing.
+    report["entities_without_nodes"] = [
+        name for kind, items in (("edges", shape.Edges), ("vertices", shape.Vertexes))
+        for name in (names[kind](number) for number in range(1, len(items) + 1) if number not in ids[kind]) if name
+    ]
     mesh_obj.FeatureLineNodes = fem_mesh.feature_line_nodes(result)
     mesh_obj.FemMesh = fem
     mesh_obj.MethodUsed = report["method"]
@@ -130,18 +139,11 @@ def _fill(mesh_obj, progress, cancelled):
     return result
 
 
-def check_groups(fem, shape, ids):
-    """Compare every face's group with what FreeCAD's constraints will find by geometry (getFacesByFace).
-
-    Returns {face number: (found, ours)} for the faces that differ; empty when all is well.
-    """
-    different = {}
-    for number, face in enumerate(shape.Faces, 1):
-        ours = ids["faces"].get(number, [])
-        found = fem.getFacesByFace(face)
-        if sorted(found) != ours:
-            different[number] = (len(set(found) & set(ours)), len(ours))
-    return different
+def cancelled_error(step):
+    """The MeshingError of a run that was given up outside the core."""
+    error = MeshingError(step + ": cancelled")
+    error.kind, error.step, error.reason, error.hint, error.cad_faces = "cancelled", step, "cancelled", "", []
+    return error
 
 
 def usage(reason):

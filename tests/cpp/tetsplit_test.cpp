@@ -164,7 +164,7 @@ TEST_CASE("the size field is short where a wall is thin or a hole is small, and 
   CHECK(field.at(model->to_frame({38, 38, 20})) > 8);
   const double near = field.at(model->to_frame({14, 10, 0})), far = field.at(model->to_frame({20, 10, 0}));
   CHECK(near < far);
-  CHECK(far - near < 0.36 * 6 + 0.5);
+  CHECK(far - near < 0.75 * 6);
   const auto sheet = cad_shapes::model_of(cad_shapes::box(40, 40, 2));
   CHECK(SizeField(surface_of(*sheet, 2), sheet->geometry(), options, context).at(sheet->to_frame({20, 20, 0})) < 4);
 }

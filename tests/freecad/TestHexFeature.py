@@ -2,6 +2,7 @@
 """Run by the real freecadcmd: freecadcmd -P tests/freecad -P tests/parts -P python -t TestHexFeature"""
 import json
 import os
+import shutil
 import tempfile
 import unittest
 
@@ -12,21 +13,7 @@ import HexFeatureWB
 from HexFeatureWB import analysis, batch
 
 import make_parts
-
-
-def new_part(shape):
-    document = FreeCAD.newDocument("Test")
-    document.UndoMode = 1
-    part = document.addObject("Part::Feature", "Part")
-    part.Shape = shape
-    document.recompute()
-    return document, part
-
-
-class DocumentTest(unittest.TestCase):
-    def tearDown(self):
-        for name in list(FreeCAD.listDocuments()):
-            FreeCAD.closeDocument(name)
+from hexfeature_documents import DocumentTest, new_part
 
 
 class TestMeshObject(DocumentTest):
@@ -110,6 +97,7 @@ class TestMeshObject(DocumentTest):
         self.assertEqual([o for o in study.Group if o.isDerivedFrom("Fem::FemMeshObject")], [second])
 
 
+@unittest.skipUnless(shutil.which("ccx"), "there is no CalculiX")
 class TestCalculiX(DocumentTest):
     def solve(self, shape, size, fixed, loaded, newtons, direction=None, **options):
         document, part = new_part(shape)
@@ -173,7 +161,7 @@ class TestBatch(DocumentTest):
             self.assertEqual(
                 left, sorted(["summary.csv"] + [s + e for s in ("box", "document-Part") for e in (".FCStd", ".json", ".unv")])
             )
-            mesh = FreeCAD.openDocument(os.path.join(out, "box.FCStd")).getObject("HexMesh")
+            mesh = FreeCAD.openDocument(os.path.join(out, "box.FCStd")).getObject("Part_Mesh")
             self.assertEqual(mesh.FemMesh.HexaCount, rows[1]["hexes"])
 
 

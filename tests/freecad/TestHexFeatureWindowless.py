@@ -12,21 +12,7 @@ import HexFeatureWB
 from HexFeatureWB import analysis
 
 import make_parts
-
-
-def new_part(shape):
-    document = FreeCAD.newDocument("Test")
-    document.UndoMode = 1
-    part = document.addObject("Part::Feature", "Part")
-    part.Shape = shape
-    document.recompute()
-    return document, part
-
-
-class DocumentTest(unittest.TestCase):
-    def tearDown(self):
-        for name in list(FreeCAD.listDocuments()):
-            FreeCAD.closeDocument(name)
+from hexfeature_documents import DocumentTest, new_part
 
 
 class TestDocumentObject(DocumentTest):
@@ -80,6 +66,51 @@ class TestDocumentObject(DocumentTest):
         self.assertGreater(model.Shape.BoundBox.XMin, part.Shape.BoundBox.XMax)
 
 
+OLDER = os.environ.get("HEXFEATURE_OLDER_DOCUMENT")
+
+
+class TestOlderDocument(DocumentTest):
+    """A document that save_document.py has saved, perhaps in another FreeCAD."""
+
+    def open(self):
+        if OLDER:
+            return FreeCAD.openDocument(OLDER)
+        import save_document
+
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "older.FCStd")
+            save_document.save(path)
+            return FreeCAD.openDocument(path)
+
+    def test_holds_mesh_groups_and_options_and_can_be_refreshed(self):
+        document = self.open()
+        mesh = document.getObject("Part_Mesh")
+        fem = mesh.FemMesh
+        self.assertEqual((fem.HexaCount, mesh.NeedsRefresh, mesh.Order, float(mesh.ElementSize.Value)), (mesh.HexCount, False, 2, 6))
+        groups = {fem.getGroupName(g): len(fem.getGroupElements(g)) for g in fem.Groups}
+        self.assertEqual(groups["Solid1"], mesh.HexCount)
+        HexFeatureWB.refresh(mesh)
+        again = mesh.FemMesh
+        self.assertEqual(groups, {again.getGroupName(g): len(again.getGroupElements(g)) for g in again.Groups})
+
+
+class TestGroupCheck(DocumentTest):
+    def test_says_what_freecads_search_finds(self):
+        """On a bar one element thick inner quads' nodes all lie on the cylinder too; the boxes touch."""
+        from HexFeatureWB import core, fem_mesh, group_check
+
+        touching = Part.makeCompound([Part.makeBox(20, 10, 10), Part.makeBox(20, 10, 10, FreeCAD.Vector(20, 0, 0))])
+        differ = 0
+        for shape, size in ((Part.makeCylinder(3, 20), 6.0), (make_parts.connecting_rod(), 6.4), (make_parts.box(), 5.0), (touching, 5.0)):
+            for order in (1, 2):
+                result = core.load().mesh_brep(shape.exportBrepToString(), {"size": size, "order": order})
+                fem, ids = fem_mesh.to_fem_mesh(result)
+                found = group_check.differing_groups(result, fem, shape, ids)
+                self.assertEqual(found, group_check.check_groups(fem, shape, ids))
+                differ += bool(found)
+        self.assertEqual(differ, 4)
+
+
 class TestJob(unittest.TestCase):
     def test_a_job_ends_with_a_result_an_error_or_cancelled(self):
         from HexFeatureWB.job import Job
@@ -96,6 +127,18 @@ class TestJob(unittest.TestCase):
         self.assertTrue(good.lines)
         self.assertEqual((bad.result, bad.error.kind), (None, "usage"))
         self.assertEqual((given_up.result, given_up.error.kind), (None, "cancelled"))
+
+    def test_a_first_look_where_labels_have_to_be_repaired(self):
+        from HexFeatureWB.job import Job
+
+        tee, box = (Job(shape.exportBrepToString(), {"size": size, "stop_after": "shape"}).start()
+                    for shape, size in ((make_parts.pipe_tee(), 3.0), (make_parts.box(), 5.0)))
+        for job in (tee, box):
+            job.join(60)
+        self.assertIsNone(box.first_look)
+        first, final = (list(r.stage("labels")["label"]) for r in (tee.first_look, tee.result))
+        self.assertNotEqual(first, final)
+        self.assertGreater(len(tee.first_look.stage("shape")["arcs"]), 12)
 
 
 class TestForceOnARoundFace(DocumentTest):
@@ -130,112 +173,3 @@ class TestMissingExtension(unittest.TestCase):
         self.assertIn("make build", said)
         self.assertIn("pip install hexfeature", said)
         self.assertIn("Python %d.%d" % sys.version_info[:2], said)
-
-
-class TestConstraints(DocumentTest):
-    """What each kind of constraint writes for CalculiX: exactly the nodes and faces on its CAD entity."""
-
-    def setUp(self):
-        import ObjectsFem
-
-        self.document, self.part = new_part(make_parts.box())
-        self.mesh = HexFeatureWB.mesh(self.part, size=5, order=1)
-        none = [(self.part, ("Face1",))]
-        self.study, self.solver = analysis.static_analysis(self.document, self.mesh, none, [(self.part, ("Face2",))], 100.0)
-        self.make = ObjectsFem
-        groups = self.mesh.FemMesh
-        self.groups = {groups.getGroupName(g): set(groups.getGroupElements(g)) for g in groups.Groups}
-
-    def written(self, constraint, references):
-        """(text of the .inp, node sets by name) with one more constraint on [(part, (names...))]."""
-        from femtools.ccxtools import FemToolsCcx
-
-        constraint.References = references
-        self.study.addObject(constraint)
-        self.document.recompute()
-        with tempfile.TemporaryDirectory() as folder:
-            tools = FemToolsCcx(self.study, self.solver, test_mode=False)
-            tools.update_objects()
-            tools.setup_working_dir(folder)
-            tools.write_inp_file()
-            with open(tools.inp_file_name) as f:
-                text = f.read()
-        sets, current = {}, None
-        for line in text.splitlines():
-            if line.upper().startswith("*NSET"):
-                current = sets.setdefault(line.split("NSET=")[1].split(",")[0].strip(), set())
-            elif line.startswith("*"):
-                current = None
-            elif current is not None and not line.startswith("**"):
-                current.update(int(n) for n in line.replace(",", " ").split() if n.isdigit())
-        return text, sets
-
-    def face_nodes(self, name):
-        return {n for face in self.groups[name] for n in self.mesh.FemMesh.getElementNodes(face)}
-
-    def test_fixed_on_face_edge_and_vertex(self):
-        for name, expected in (("Face3", self.face_nodes("Face3")), ("Edge5", self.groups["Edge5"]), ("Vertex2", self.groups["Vertex2"])):
-            constraint = self.make.makeConstraintFixed(self.document, "Held" + name)
-            _, sets = self.written(constraint, [(self.part, (name,))])
-            self.assertEqual(sets["Held" + name], expected)
-
-    def test_displacement(self):
-        constraint = self.make.makeConstraintDisplacement(self.document, "Moved")
-        constraint.xFree = False
-        constraint.xFix = True
-        _, sets = self.written(constraint, [(self.part, ("Face4",))])
-        self.assertEqual(sets["Moved"], self.face_nodes("Face4"))
-
-    def test_force_loads_exactly_the_faces_nodes_with_its_sum(self):
-        text, _ = self.written(self.make.makeConstraintFixed(self.document, "Other"), [(self.part, ("Face1",))])
-        lines = iter(text.splitlines())
-        loads = {}
-        for line in lines:
-            if line.upper().startswith("*CLOAD"):
-                for line in lines:
-                    if line.startswith("*") and not line.startswith("**"):
-                        break
-                    fields = [f.strip() for f in line.split(",")]
-                    if len(fields) == 3 and fields[0].isdigit():
-                        loads.setdefault(int(fields[0]), 0.0)
-                        loads[int(fields[0])] += float(fields[2])
-        self.assertEqual(set(loads), self.face_nodes("Face2"))
-        self.assertAlmostEqual(abs(sum(loads.values())), 100, places=6)
-
-    def test_pressure_loads_every_element_on_the_face_once(self):
-        constraint = self.make.makeConstraintPressure(self.document, "Pressed")
-        try:
-            constraint.Pressure = 1.0
-        except TypeError:  # FreeCAD 1.1: a quantity
-            constraint.Pressure = "1 MPa"
-        text, _ = self.written(constraint, [(self.part, ("Face6",))])
-        elements = [line.split(",")[0] for line in text.splitlines() if ",P" in line.replace(" ", "") and line[:1].isdigit()]
-        self.assertEqual(len(elements), len(self.groups["Face6"]))
-        self.assertEqual(len(set(elements)), len(elements))
-
-    def test_a_heat_flux_lies_on_every_element_of_the_face_once(self):
-        constraint = self.make.makeConstraintHeatflux(self.document, "Heated")
-        self.solver.AnalysisType = "thermomech"  # the only one whose writer knows heat
-        steel = next(member for member in self.study.Group if member.Name.startswith("Steel"))
-        steel.Material = dict(steel.Material, ThermalConductivity="50 W/m/K", ThermalExpansionCoefficient="1e-5 m/m/K",
-                              SpecificHeat="500 J/kg/K")
-        constraint.ConstraintType = "DFlux"
-        try:
-            constraint.DFlux = 1000.0
-        except TypeError:  # FreeCAD 1.1: a quantity
-            constraint.DFlux = "1000 W/m^2"
-        text, _ = self.written(constraint, [(self.part, ("Face6",))])
-        rows = [line.split(",") for line in text.splitlines() if re.match(r"\d+, *S\d,", line)]
-        self.assertEqual(len({row[0] for row in rows}), len(self.groups["Face6"]))
-        self.assertEqual(len(rows), len(self.groups["Face6"]))
-
-    def test_what_geometry_finds_on_every_face_edge_and_vertex(self):
-        # The writers of the other constraints ask the mesh these questions.
-        fem, shape = self.mesh.FemMesh, self.part.Shape
-        for number, face in enumerate(shape.Faces, 1):
-            self.assertEqual(set(fem.getFacesByFace(face)), self.groups["Face%d" % number])
-            self.assertEqual(set(fem.getNodesByFace(face)), self.face_nodes("Face%d" % number))
-        for number, edge in enumerate(shape.Edges, 1):
-            self.assertEqual(set(fem.getNodesByEdge(edge)), self.groups["Edge%d" % number])
-        for number, vertex in enumerate(shape.Vertexes, 1):
-            self.assertEqual(set(fem.getNodesByVertex(vertex)), self.groups["Vertex%d" % number])

@@ -1,5 +1,6 @@
 # HexFeatureWB - LGPL-2.1-or-later
 """For tests inside a FreeCAD with a window: let it live, wait, press, take pictures."""
+import ctypes
 import os
 import time
 
@@ -79,6 +80,35 @@ def action(menu_text):
         if candidate.text().replace("&", "") == menu_text and not candidate.menu():
             return candidate
     raise LookupError("there is no menu entry " + menu_text)
+
+
+def press_ok():
+    """The OK button of the open task. Raises LookupError."""
+    for box in FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox):
+        button = box.button(QtGui.QDialogButtonBox.Ok)
+        if button is not None and button.isVisible():
+            button.click()
+            return
+    raise LookupError("there is no OK")
+
+
+def press_keys(*names):
+    """Press keys ("H", "Return") on the screen's keyboard, by X's XTEST extension. Raises OSError where its library is missing."""
+    x11, xtest = ctypes.CDLL("libX11.so.6"), ctypes.CDLL("libXtst.so.6")
+    x11.XOpenDisplay.restype = ctypes.c_void_p
+    x11.XStringToKeysym.restype = ctypes.c_ulong
+    display = ctypes.c_void_p(x11.XOpenDisplay(None))
+    window = FreeCADGui.getMainWindow()
+    window.activateWindow()
+    window.setFocus()
+    live(0.3)
+    for name in names:
+        code = x11.XKeysymToKeycode(display, ctypes.c_ulong(x11.XStringToKeysym(name.encode())))
+        for down in (1, 0):
+            xtest.XTestFakeKeyEvent(display, code, down, ctypes.c_ulong(0))
+        x11.XFlush(display)
+        live(0.2)
+    x11.XCloseDisplay(display)
 
 
 def show_part(shape, name="Part"):

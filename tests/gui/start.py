@@ -16,10 +16,11 @@ def _run():
     code = 1
     try:
         import FreeCAD
-        import test_workbench
+        import importlib
 
+        module = importlib.import_module(os.environ.get("HEXFEATURE_GUI_MODULE", "test_workbench"))
         print("FreeCAD", ".".join(FreeCAD.Version()[:3]), "Python", sys.version.split()[0], flush=True)
-        code = test_workbench.run()
+        code = module.run()
     except BaseException:
         traceback.print_exc()
     sys.stdout.flush()

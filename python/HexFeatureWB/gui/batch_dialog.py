@@ -3,6 +3,7 @@
 import os
 import time
 
+import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
@@ -60,7 +61,7 @@ class BatchDialog(QtGui.QDialog):
         self.files = QtGui.QPlainTextEdit()
         self.files.setObjectName("files")
         self.files.setMaximumHeight(90)
-        self.files.setPlaceholderText(tr("one file a line: STEP, IGES, BREP or FreeCAD documents"))
+        self.files.setPlaceholderText(tr("one file a line: STEP, IGES, BREP or FreeCAD documents; with a size of its own: part.step; 4 mm"))
         choose = QtGui.QPushButton(tr("Add files ..."))
         choose.clicked.connect(self._choose_files)
         row = QtGui.QHBoxLayout()
@@ -95,7 +96,11 @@ class BatchDialog(QtGui.QDialog):
 
     def start(self):
         """Read and write in the main thread, item by item; mesh in the worker."""
-        files = [line.strip() for line in self.files.toPlainText().splitlines() if line.strip()]
+        try:
+            files = self._files()
+        except ValueError as error:
+            self.state.setText(tr("Not a length: %s") % error)
+            return
         out = self.folder.text().strip()
         if not files or not out:
             self.state.setText(tr("Give files and a folder."))
@@ -109,7 +114,7 @@ class BatchDialog(QtGui.QDialog):
         self.options["order"] = self.order.value()
         if self.size.value() > 0:
             self.options["size"] = self.size.value()
-        self.out, self.rows = out, []
+        self._given, self.out, self.rows = files, out, []
         self.table.setRowCount(0)
         self._items = batch.items(files, out)
         self.start_button.setEnabled(False)
@@ -128,7 +133,8 @@ class BatchDialog(QtGui.QDialog):
         for item in self._items:
             if isinstance(item, batch.Item):
                 self._item, self._began = item, time.time()
-                self.job = Job(item.shape.exportBrepToString(), dict(self.options, size=self.options.get("size", 0.0))).start()
+                options = item.options(self.options)
+                self.job = Job(item.shape.exportBrepToString(), dict(options, size=options.get("size", 0.0))).start()
                 return
             self._add(item)
             return
@@ -145,7 +151,7 @@ class BatchDialog(QtGui.QDialog):
                 try:
                     # Through the same function as without a window; it takes the worker's result.
                     meshing.offer(job.brep, job.options, job.result)
-                    report = batch.mesh_one(item.shape, item.stem, self.options)
+                    report = batch.mesh_one(item.shape, item.stem, item.options(self.options))
                 except Exception as caught:  # one part must not end the batch
                     error = caught
             self._add(batch.row_of(item, self._began, report, error))
@@ -154,14 +160,31 @@ class BatchDialog(QtGui.QDialog):
             self._timer.stop()
             self.start_button.setEnabled(True)
             self.cancel_button.setEnabled(False)
-            batch.write_summary(self.rows, self.out)
+            batch.offer(self._given, self.out, self.options, self.rows)
+            record.do("import HexFeatureWB.batch")
+            record.do("HexFeatureWB.batch.run(%r, %r, %r)" % (self._given, self.out, self.options))
             meshed = sum(row["result"] == "meshed" for row in self.rows)
             self.state.setText(tr("%(meshed)d of %(all)d meshed; summary.csv is in %(folder)s") % {
                 "meshed": meshed, "all": len(self.rows), "folder": self.out})
-            record.do("# HexFeatureWB.batch.run(%r, %r, %r)" % (self._paths(), self.out, self.options))
 
-    def _paths(self):
-        return [line.strip() for line in self.files.toPlainText().splitlines() if line.strip()]
+    def _files(self):
+        """The paths; (path, size) where a line ends in a size of its own after a semicolon. Raises ValueError with the line."""
+        files = []
+        for line in self.files.toPlainText().splitlines():
+            path, semicolon, size = (part.strip() for part in line.partition(";"))
+            if not path:
+                continue
+            if size:
+                try:
+                    value = FreeCAD.Units.Quantity(size)
+                except (ValueError, FreeCAD.Base.FreeCADError):
+                    raise ValueError(line) from None
+                if value.Value <= 0 or value.Unit not in (FreeCAD.Units.Length, FreeCAD.Units.Unit()):
+                    raise ValueError(line)
+                files.append((path, float(value.Value)))
+            else:
+                files.append(path)
+        return files
 
     def _finished(self):
         """Whether nothing is left: looks one item ahead."""

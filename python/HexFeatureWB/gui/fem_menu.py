@@ -38,6 +38,7 @@ def _activated(workbench):
         update = QtCore.QTimer(bar)
         update.timeout.connect(lambda: bar.isVisible() and _enable(bar.actions()))
         update.start(UPDATE)
+    _share_keys(window, bar)
     bar.show()
     menus = window.menuBar()
     if menus.findChild(QtGui.QMenu, NAME) is None:
@@ -58,6 +59,15 @@ def _action(name, parent):
     action.setToolTip("<b>%s</b><br>%s" % (info["MenuText"], info["ToolTip"]))
     action.triggered.connect(lambda *_: FreeCADGui.runCommand(name, 0))
     return action
+
+
+def _share_keys(window, bar):
+    """Our actions have the commands' keys until FreeCAD has actions of its own for them, once our workbench has been visited: the
+    same keys on two actions would do nothing."""
+    for action in bar.actions():
+        name = action.objectName()[len(NAME) + 1:]
+        freecads = window.findChild(QtGui.QAction, name)
+        action.setShortcut("" if freecads is not None else commands.COMMANDS[name].keys)
 
 
 def _enable(actions):

@@ -44,8 +44,8 @@ def tell(text, details=""):
 tell.last = ""
 
 
-def step_title(step):
-    """A step of the program in the user's words."""
+def step_titles():
+    """Step of the program -> the same in the user's words."""
     return {
         "read": tr("reading the part"),
         "frame": tr("finding directions"),
@@ -62,9 +62,18 @@ def step_title(step):
         "quality": tr("measuring"),
         "certificate": tr("proving every element"),
         "second order": tr("mid-side nodes"),
+        "tet-split": tr("from tetrahedra"),
+        "tetrahedra": tr("tetrahedra"),
+        "write": tr("writing"),
+        "build": tr("building FreeCAD's mesh"),
         "options": tr("options"),
         "": tr("starting"),
-    }.get(step, step)
+    }
+
+
+def step_title(step):
+    """One step in the user's words; a new one by its name."""
+    return step_titles().get(step, step)
 
 
 def faces_to_blame(error, names):

@@ -9,7 +9,7 @@ from ..job import Job
 from ..models import AXIS_COLOURS, LABEL_COLOURS
 from . import scene
 
-POLL, PATIENCE = 40, 250  #: ms: looking for the result; waiting for the user to end turning a knob
+POLL, PATIENCE = 20, 250  #: ms: looking for the result; waiting for the user to end turning a knob
 
 
 class Preview(QtCore.QObject):
@@ -17,7 +17,8 @@ class Preview(QtCore.QObject):
 
     `parent`, a widget, ends it when it dies.
 
-    said(text): called with a line for the user about what is shown; ready(job): called when a preview is drawn or failed.
+    said(text): called with a line for the user about what is shown; ready(job): called when a preview is drawn or failed. Where the
+    labels have to be repaired, which may take seconds, it is drawn twice: `final` is False after the first time.
     """
 
     def __init__(self, document, said, ready=None, parent=None):
@@ -29,7 +30,7 @@ class Preview(QtCore.QObject):
         if self._graph:
             self._graph.addChild(self._root)
         self._job = self._next = None
-        self.stage, self.seconds = None, None
+        self.stage, self.seconds, self.final = None, None, False
         self._wait, self._poll = QtCore.QTimer(self), QtCore.QTimer(self)
         self._wait.setSingleShot(True)
         self._wait.timeout.connect(self._start)
@@ -81,24 +82,35 @@ class Preview(QtCore.QObject):
     def _start(self):
         if self._job:
             self._job.cancel()
-        self._job = Job(*self._next).start()
+        self._job, self._first_drawn = Job(*self._next).start(), False
         self._poll.start(POLL)
 
     def _look(self):
         job = self._job
-        if job is None or job.is_alive():
+        if job is None:
+            return
+        if job.is_alive():
+            if job.first_look is not None and not self._first_drawn:
+                self._first_drawn = True
+                self._show_result(job.first_look, final=False)
+                self._ready(job)
             return
         self._poll.stop()
         self._job = None
         if job.error is not None:
             self.stage = None
+            self._draw()
             reason = getattr(job.error, "reason", str(job.error))
             self._said(reason)
         else:
-            self.stage, self.seconds = job.result.stage("shape"), job.seconds
-            self.stage["label"] = job.result.stage("labels")["label"]
-        self._draw()
+            self.seconds = job.seconds
+            self._show_result(job.result, final=True)
         self._ready(job)
+
+    def _show_result(self, result, final):
+        self.stage, self.final = result.stage("shape"), final
+        self.stage["label"] = result.stage("labels")["label"]
+        self._draw()
 
     def _draw(self):
         self._wipe()

@@ -2,21 +2,19 @@
 """*Refresh mesh*: mesh objects again, one after the other, in a worker thread. Closes itself when all went well."""
 import FreeCAD
 import FreeCADGui
-from PySide import QtCore, QtGui
+from PySide import QtGui
 
 from .. import mesh_object, meshing
-from ..job import Job
 from ..source import names_of, shape_to_mesh
 from ..translate import tr
 from . import messages, record
-
-POLL = 50  #: ms
+from .run import Run
 
 
 class RefreshPanel:
     def __init__(self, meshes):
         self.waiting, self.count = list(meshes), len(meshes)
-        self.mesh = self.job = None
+        self.mesh = None
         self.failed = []
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(tr("Refresh mesh"))
@@ -33,54 +31,51 @@ class RefreshPanel:
         self.cancel_button.clicked.connect(self.cancel)
         for widget in (self.state, self.bar, self.cancel_button):
             column.addWidget(widget)
-        self._timer = QtCore.QTimer(self.form)
-        self._timer.timeout.connect(self._look)
+        self.run = Run(self.form, self._looked, self._ended)
 
-    def start(self):
-        self._next()
-        self._timer.start(POLL)
+    @property
+    def job(self):
+        """The run that goes on, or None."""
+        return self.run.job
 
     def cancel(self):
         self.waiting.clear()
         if self.job is not None:
-            self.job.cancel()
+            self.run.cancel()
             self.state.setText(tr("cancelling ..."))
 
-    def _next(self):
-        self.mesh = self.waiting.pop(0)
-        source = mesh_object.source_of(self.mesh)
-        try:
-            brep = shape_to_mesh(source, self.mesh.Solid).exportBrepToString()
-        except meshing.MeshingError as error:
-            self._failed(error)
-            return
-        self.job = Job(brep, mesh_object.options_of(self.mesh)).start()
-
-    def _look(self):
-        job = self.job
-        if job is not None and job.is_alive():
-            self.bar.setValue(int(1000 * job.fraction))
-            if not job.was_cancelled:
-                self.state.setText(tr("%(mesh)s (%(number)d of %(count)d): %(step)s, %(seconds).1f s") % {
-                    "mesh": self.mesh.Label, "number": self.count - len(self.waiting), "count": self.count,
-                    "step": messages.step_title(job.step), "seconds": job.seconds})
-            return
-        self.job = None
-        if job is not None and job.error is not None:
-            self._failed(job.error)
-        elif job is not None:
-            meshing.offer(job.brep, job.options, job.result)
+    def start(self):
+        """Begin with the next mesh; after the last one close, unless something is to be read."""
+        while self.waiting:
+            self.mesh = self.waiting.pop(0)
             try:
-                record.refresh(self.mesh)
+                brep = shape_to_mesh(mesh_object.source_of(self.mesh), self.mesh.Solid).exportBrepToString()
             except meshing.MeshingError as error:
                 self._failed(error)
-        if self.waiting:
-            self._next()
+                continue
+            self.run.start(brep, mesh_object.options_of(self.mesh))
             return
-        self._timer.stop()
         self.cancel_button.setEnabled(False)
         if not self.failed:
             self.reject()
+
+    def _looked(self, job):
+        self.bar.setValue(int(1000 * job.fraction))
+        if not job.was_cancelled:
+            self.state.setText(tr("%(mesh)s (%(number)d of %(count)d): %(step)s, %(seconds).1f s") % {
+                "mesh": self.mesh.Label, "number": self.count - len(self.waiting), "count": self.count,
+                "step": messages.step_title(job.step), "seconds": job.seconds})
+
+    def _ended(self, job):
+        error = job.error
+        if error is None:
+            try:
+                record.refresh(self.mesh)
+            except meshing.MeshingError as raised:
+                error = raised
+        if error is not None:
+            self._failed(error)
+        self.start()
 
     def _failed(self, error):
         names = None
@@ -102,9 +97,7 @@ class RefreshPanel:
         return messages.number_of(QtGui.QDialogButtonBox.Close)
 
     def reject(self):
-        self._timer.stop()
-        if self.job is not None:
-            self.job.cancel()
+        self.run.give_up()
         FreeCADGui.Control.closeDialog()
         return True
 

@@ -12,6 +12,9 @@ def _chosen():
     found = []
     for item in FreeCADGui.Selection.getSelectionEx("", 1):  # 1: the object that has the sub-elements, not the outermost group
         obj = item.Object
+        if obj.TypeId == "App::Part":  # a container stands for what is seen of it
+            found += [(child, []) for child in obj.Group if _is_part(child)]
+            continue
         body = next((b for b in obj.InList if b.TypeId == "PartDesign::Body"), None)
         found.append((body or obj, [] if body else [name.split(".")[-1] for name in item.SubElementNames]))
     return found
@@ -36,7 +39,7 @@ def _is_part(obj):
     """A visible object with a solid that is no step on the way to another one."""
     if not solids_of(obj) or obj.ViewObject is None or not obj.ViewObject.Visibility:
         return False
-    return not any(solids_of(user) for user in obj.InList)
+    return not any(solids_of(user) for user in obj.InList if user.TypeId != "App::Part")
 
 
 def _solid_of(obj, names):

@@ -7,14 +7,13 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from .. import mesh_object, meshing
-from ..job import Job
 from ..source import names_of, shape_to_mesh, solids_of
 from ..translate import tr
 from . import messages, record, settings
 from .preview import Preview
+from .run import Run
 from .widgets import Fold, LengthEdit, OptionWidget, nice, number, title_of
 
-POLL = 50  #: ms between two looks at the worker
 STEPS = 200  #: of the slider
 
 
@@ -26,15 +25,18 @@ class HexMeshPanel:
 
     def __init__(self, source, mesh=None, solid=0):
         self.source, self.mesh, self.document = source, mesh, source.Document
-        self.job = None
+        self.run = None
         self._hidden = None  # the part, while the preview stands in its place
         self.form = self._build(mesh.Solid if mesh else solid)
-        self._timer = QtCore.QTimer(self.form)  # dies with the form, as when the document is closed
-        self._timer.timeout.connect(self._look)
-        self.form.destroyed.connect(lambda *_: self.cancel_worker())
+        self.run = Run(self.form, self._looked, self._ended)
         self.preview = Preview(self.document, self._preview_says, self._preview_ready, self.form)
         self.preview.set_parts(self.show_lines.isChecked(), self.show_labels.isChecked())
         self._changed()
+
+    @property
+    def job(self):
+        """The run that goes on, or None."""
+        return self.run.job if self.run else None
 
     # ---- what is on it
 
@@ -220,7 +222,8 @@ class HexMeshPanel:
         if stage is None:
             self._show_part()
             return
-        self.preview_text.setText(tr("%d regions, %d feature lines") % (len(stage["chart_label"]), len(stage["arcs"])))
+        text = tr("%d regions, %d feature lines") if self.preview.final else tr("%d regions, %d feature lines so far, being repaired ...")
+        self.preview_text.setText(text % (len(stage["chart_label"]), len(stage["arcs"])))
         if self.show_labels.isChecked():
             self._hide_part()
         else:
@@ -241,7 +244,7 @@ class HexMeshPanel:
     # ---- the run
 
     def start(self):
-        """Mesh in a worker thread. The document is written only when it has ended, in `_look`."""
+        """Mesh in a worker thread. The document is written only when it has ended, in `_take`."""
         if self.job is not None:
             return
         FreeCADGui.Selection.clearSelection()
@@ -253,44 +256,31 @@ class HexMeshPanel:
             self.state.setText(messages.failure_text(error, None))
             return
         self.preview.pause()
-        self.job = Job(brep, self.chosen()).start()
-        for widget in self._inputs():
-            widget.setEnabled(False)
-        self.cancel_button.setEnabled(True)
-        self._timer.start(POLL)
+        self.run.start(brep, self.chosen())
+        self._set_running(True)
 
     def cancel(self):
         """Give the run up. The panel answers at once; the worker ends within 0.2 s."""
         if self.job is not None:
-            self.job.cancel()
+            self.run.cancel()
             self.cancel_button.setEnabled(False)
             self.state.setText(tr("cancelling ..."))
 
-    def cancel_worker(self):
-        """Touches no widget: also called when they are gone."""
-        if self.job is not None:
-            self.job.cancel()
+    def _set_running(self, running):
+        for widget in (self.size.widget, self.slider, self.solid, self.mesh_button, self.advanced,
+                       *(option.widget for option in self.options.values())):
+            widget.setEnabled(not running)
+        self.cancel_button.setEnabled(running)
 
-    def _inputs(self):
-        return [self.size.widget, self.slider, self.solid, self.mesh_button, self.advanced,
-                *(option.widget for option in self.options.values())]
-
-    def _look(self):
-        job = self.job
-        if job is None:
-            return
-        if job.is_alive():
-            self.bar.setValue(int(1000 * job.fraction))
-            if not job.was_cancelled:
-                self.state.setText(tr("%(step)s, %(seconds).1f s") % {"step": messages.step_title(job.step), "seconds": job.seconds})
-            self._append_log(job)
-            return
-        self._timer.stop()
-        self.job = None
+    def _looked(self, job):
+        self.bar.setValue(int(1000 * job.fraction))
+        if not job.was_cancelled:
+            self.state.setText(tr("%(step)s, %(seconds).1f s") % {"step": messages.step_title(job.step), "seconds": job.seconds})
         self._append_log(job)
-        self.cancel_button.setEnabled(False)
-        for widget in self._inputs():
-            widget.setEnabled(True)
+
+    def _ended(self, job):
+        self._append_log(job)
+        self._set_running(False)
         self.bar.setValue(0)
         if job.error is None:
             self._take(job)
@@ -307,7 +297,6 @@ class HexMeshPanel:
         """Put the finished mesh into the document, by the line that the macro recorder sees."""
         self.preview.clear()
         self._show_part()
-        meshing.offer(job.brep, job.options, job.result)
         self.state.setText(tr("writing the mesh into the document ..."))
         self.state.repaint()
         try:
@@ -353,10 +342,7 @@ class HexMeshPanel:
 
     def reject(self):
         """Close: a run is given up; what is in the document stays."""
-        self._timer.stop()
-        if self.job is not None:
-            self.job.cancel()
-            self.job = None
+        self.run.give_up()
         self.preview.remove()
         self._show_part()
         if self.mesh is not None and settings.switch("HidePart") and self.mesh.ViewObject.Visibility:

@@ -7,8 +7,7 @@ from PySide import QtCore, QtGui
 from ..translate import tr
 
 
-def title_of(option):
-    """What a person calls an option; a new one is called by its name."""
+def _titles():
     return {
         "method": tr("Method"),
         "order": tr("Element order"),
@@ -20,8 +19,18 @@ def title_of(option):
         "smoothing_rounds": tr("Smoothing rounds of the paper's labels"),
         "crease_angle": tr("Crease angle of triangle surfaces (degrees)"),
         "time_limit": tr("Time limit (s), 0: none"),
+        "memory_limit": tr("Memory limit (MB), 0: none"),
         "threads": tr("Threads"),
-    }.get(option, option.replace("_", " ").capitalize())
+    }
+
+
+def has_title(option):
+    return option in _titles()
+
+
+def title_of(option):
+    """What a person calls an option; a new one is called by its name."""
+    return _titles().get(option, option.replace("_", " ").capitalize())
 
 
 def choice_title(option, choice):

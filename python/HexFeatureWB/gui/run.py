@@ -1,0 +1,67 @@
+# HexFeatureWB - LGPL-2.1-or-later
+"""One run of a panel: the core in a worker thread, then FreeCAD's mesh built in slices between the window's events."""
+from PySide import QtCore
+
+from .. import meshing
+from ..fem_mesh import FemMeshBuilder
+from ..job import Job
+
+POLL = 50  #: ms between two looks at the worker
+SLICE = 0.1  #: s of building between two looks at the window
+BUILDING = "build"  #: the step's name
+
+
+class Run(QtCore.QObject):
+    """Starts a Job, looks at it, ends with what `meshing.mesh` and `refresh` take over without delay.
+
+    parent: a widget; the run ends when it dies. looked(job): called while it goes on. ended(job): called once, with `job.result` or
+    `job.error` set and `self.job` None again.
+    """
+
+    def __init__(self, parent, looked, ended):
+        super().__init__(parent)
+        self._looked, self._ended = looked, ended
+        self.job = self._builder = None
+        self._timer = QtCore.QTimer(self)
+        self._timer.timeout.connect(self._look)
+        self.destroyed.connect(lambda *_: self.cancel())
+
+    def start(self, brep, options):
+        self._builder = None
+        self.job = Job(brep, options).start()
+        self._timer.start(POLL)
+
+    def cancel(self):
+        """Ask it to end; touches no widget."""
+        if self.job is not None:
+            self.job.cancel()
+
+    def give_up(self):
+        """End at once, `ended` is not called; the worker stops by itself."""
+        self._timer.stop()
+        self.cancel()
+        self.job = self._builder = None
+
+    def _look(self):
+        job = self.job
+        if job is None:
+            return
+        if job.is_alive() or job.error is None and not job.was_cancelled and not self._built(job):
+            self._looked(job)
+            return
+        if job.error is None and job.was_cancelled:
+            job.error = meshing.cancelled_error(job.step)
+        self._timer.stop()
+        self.job, builder, self._builder = None, self._builder, None
+        if job.error is None:
+            meshing.offer(job.brep, job.options, job.result, builder)
+        self._ended(job)
+
+    def _built(self, job):
+        if self._builder is None:
+            self._builder = FemMeshBuilder(job.result)
+            job.step, job.fraction = BUILDING, 0.0
+            self._timer.start(0)
+        done = self._builder.work(SLICE)
+        job.fraction = self._builder.fraction
+        return done

@@ -1,0 +1,169 @@
+# HexFeatureWB - LGPL-2.1-or-later
+"""How fast the window is: tests/gui/run.sh --measure [appear] [preview] [cancel]. Prints rows of tables (docs/freecad/measured.md).
+
+The parts of `preview` are those of ../shared/parts when they lie beside the project, else the project's own. Wall times: on an
+idle machine. Processor times are of FreeCAD and its threads.
+"""
+import csv
+import os
+import tempfile
+import time
+
+import driver
+import FreeCADGui
+import make_parts
+from driver import child, live, say, wait_until
+
+from HexFeatureWB.gui import record, task_panel
+from HexFeatureWB.gui.preview import PATIENCE
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+PARTS = os.path.join(os.path.dirname(ROOT), "shared", "parts")
+
+
+def open_panel(part):
+    FreeCADGui.Selection.clearSelection()
+    panel = task_panel.open_panel(part)
+    wait_until(lambda: not panel.preview.busy)
+    return panel
+
+
+def draw():
+    FreeCADGui.ActiveDocument.ActiveView.redraw()
+    live(0.01)
+
+
+def appear():
+    """From the end of meshing to the drawn mesh, and what the first look at its quality costs."""
+    import Part
+
+    say("| part | elements | nodes | meshed in | appears after | of processor time | quality colours | cut |")
+    say("|---|---|---|---|---|---|---|---|")
+    for name, shape, size in (("cube", Part.makeBox(100, 100, 100), 2.15), ("round bar", make_parts.round_bar(), 0.5)):
+        for order in (1, 2):
+            document, part = driver.show_part(shape)
+            panel = open_panel(part)
+            panel.size.set_value(size)
+            panel.options["order"].set_value(order)
+            wait_until(lambda: not panel.preview.busy)
+            child(panel.form, "mesh_button").click()
+            job, cpu = panel.job, 0.0
+            while panel.job is not None:
+                cpu = cpu if job.ended_at else time.process_time()
+                live(0.005)
+            draw()
+            seconds, cpu = time.monotonic() - job.ended_at, time.process_time() - cpu
+            mesh, looks = panel.mesh, []
+            for change in (("DisplayMode", "Quality"), ("CutAxis", "X")):
+                start = time.monotonic()
+                record.set_view(mesh, *change)
+                draw()
+                looks.append(time.monotonic() - start)
+            say("| %s, order %d | %d | %d | %.1f s | %.2f s | %.2f s | %.2f s | %.2f s |" % (
+                name, order, mesh.HexCount, mesh.FemMesh.NodeCount, job.seconds, seconds, cpu, *looks))
+            panel.reject()
+
+
+def parts_to_preview(folder):
+    """[(name, path, size)]"""
+    table = os.path.join(PARTS, "parts.csv")
+    home = PARTS
+    if not os.path.isfile(table):
+        say("(no ../shared/parts: the project's own parts)")
+        for name in make_parts.PARTS:
+            make_parts.make(name, folder)
+        return [(name, os.path.join(folder, name + ".step"), size) for name, (_, size) in make_parts.PARTS.items()]
+    with open(table, newline="") as f:
+        return [(row["part"].rsplit(".", 1)[0], os.path.join(home, row["part"]), float(row["size"])) for row in csv.DictReader(f)]
+
+
+def preview():
+    """From the asking (when the user's hand has rested for PATIENCE) to the drawn preview."""
+    import Part
+
+    say("| part | faces | feature lines and labels drawn after | regions, lines |")
+    say("|---|---|---|---|")
+    slow = 0
+    with tempfile.TemporaryDirectory() as folder:
+        parts = parts_to_preview(folder)
+        for name, path, size in parts:
+            shape = Part.Shape()
+            shape.read(path)
+            document, part = driver.show_part(shape)
+            panel = task_panel.open_panel(part)
+            panel.size.set_value(size)
+            start = time.monotonic() + PATIENCE / 1000
+            first = None
+            while panel.preview.busy:
+                live(0.005)
+                if first is None and panel.preview.stage is not None:
+                    draw()
+                    first = time.monotonic() - start
+            draw()
+            seconds = time.monotonic() - start
+            slow += (first or seconds) > 0.5
+            final = ", final %.2f s" % seconds if first and seconds - first > 0.1 else ""
+            say("| %s | %d | %.2f s%s | %s |" % (name, len(shape.Faces), first or seconds, final, panel.preview_text.text()))
+            panel.reject()
+            import FreeCAD
+
+            FreeCAD.closeDocument(document.Name)
+    say("%d of %d above 0.5 s" % (slow, len(parts)))
+
+
+def cancel():
+    """Cancel pressed in the middle of every step: the longest time until the panel can be used again."""
+    say("| run | step | lasts | answer to Cancel |")
+    say("|---|---|---|---|")
+    for name, size, method in (("crank_shaft", 2.0, "feature-line"), ("pipe_tee", 2.5, "feature-line"), ("crank_shaft", 4.0, "tet-split")):
+        document, part = driver.show_part(make_parts.PARTS[name][0]())
+        panel = open_panel(part)
+        panel.show_lines.setChecked(False)
+        panel.show_labels.setChecked(False)
+        panel.size.set_value(size)
+        panel.options["method"].set_value(method)
+        steps = whole_run(panel)
+        for step, (begin, lasts) in steps.items():
+            child(panel.form, "mesh_button").click()
+            job = panel.job
+            while job.is_alive() and job.step != step:
+                live(0.002)
+            live(lasts / 2)
+            if not job.is_alive():
+                continue
+            start = time.monotonic()
+            child(panel.form, "cancel_button").click()
+            wait_until(lambda: panel.job is None)
+            say("| %s, %s | %s | %.2f s | %.2f s |" % (name, method, step, lasts, time.monotonic() - start))
+        panel.reject()
+
+
+def whole_run(panel):
+    """Mesh to the end and give the document back as it was; step -> (beginning, length) of the steps that can be hit."""
+    child(panel.form, "mesh_button").click()
+    job, seen = panel.job, []
+    while job.is_alive():
+        if job.step and (not seen or seen[-1][0] != job.step):
+            seen.append((job.step, job.seconds))
+        live(0.002)
+    seen.append(("", job.seconds))
+    wait_until(lambda: panel.job is None)
+    if panel.mesh is not None:
+        panel.document.removeObject(panel.mesh.Name)
+        panel.mesh = None
+    steps = {}
+    for (step, begin), (_, end) in zip(seen, seen[1:]):
+        if end - begin > 0.02 and end - begin > steps.get(step, (0, 0))[1]:
+            steps[step] = begin, end - begin
+    return steps
+
+
+def run():
+    driver.prepare_window()
+    wanted = os.environ.get("HEXFEATURE_GUI_TESTS", "").split()
+    for each in (appear, preview, cancel):
+        if not wanted or each.__name__ in wanted:
+            say("")
+            say(each.__doc__)
+            each()
+    return 0
