@@ -21,7 +21,7 @@ struct LabelOptions {
   int max_expansions = 4000;      ///< bound on best-first expansions (deterministic stop)
   double beta = 0.5;              ///< paper's equation (1)
   int max_smoothing_rounds = 50;  ///< paper's step 3-7b, at most so often
-  /// May be empty: called when labels are there that the search is going to repair; neither valid nor filled.
+  /// May be empty: called when labels are there that the search is going to repair; not valid, or not filled, or with defects.
   std::function<void(LabelResult)> first_look;
 };
 

@@ -30,7 +30,7 @@ std::vector<char> telling_points(const SurfaceMesh& surface, const Geometry& geo
 }
 
 /// Longest distance from the sampled faces to the quads of their own face, per face.
-std::vector<double> gaps(const HexComplex& mesh, const SurfaceMesh& surface, const Geometry& geometry) {
+std::vector<double> gaps(const HexComplex& mesh, const SurfaceMesh& surface, const Geometry& geometry, const Context& context) {
   const int faces = static_cast<int>(geometry.faces->size());
   SurfaceMesh quads;
   quads.points = mesh.points;
@@ -41,6 +41,7 @@ std::vector<double> gaps(const HexComplex& mesh, const SurfaceMesh& surface, con
   }
   std::vector<double> gap(faces + 1, 0);
   if (quads.triangles.empty()) return gap;
+  context.check();
   const TriangleTree tree(quads);
   const std::vector<char> telling = telling_points(surface, geometry);
   const auto look = [&](int face, const Vec3& p) {
@@ -48,6 +49,7 @@ std::vector<double> gaps(const HexComplex& mesh, const SurfaceMesh& surface, con
     if (c.triangle >= 0) gap[face] = std::max(gap[face], std::sqrt(c.distance2));
   };
   for (int t = 0; t < surface.triangle_count(); ++t) {
+    if (t % 256 == 0) context.check();
     const int face = surface.triangle_face[t];
     if (face <= 0) continue;
     for (int v : surface.triangles[t])
@@ -107,7 +109,8 @@ class BorderSegments {
 
 }  // namespace
 
-Faithfulness measure_faithfulness(const HexComplex& mesh, const Geometry& geometry, int solid, const SurfaceMesh* surface, double size) {
+Faithfulness measure_faithfulness(const HexComplex& mesh, const Geometry& geometry, int solid, const SurfaceMesh* surface, double size,
+                                  const Context& context) {
   Faithfulness result;
   const int faces = static_cast<int>(geometry.faces->size()), edges = static_cast<int>(geometry.edges->size());
   const auto of_solid = [&](int face) { return face > 0 && (solid == 0 || geometry.face(face).solid == solid); };
@@ -121,6 +124,7 @@ Faithfulness measure_faithfulness(const HexComplex& mesh, const Geometry& geomet
   const BorderSegments borders(mesh);
   double total = 0, lost = 0;
   for (int id = 1; id <= edges; ++id) {
+    context.check();
     const CadEdge& edge = geometry.edge(id);
     if (!edge.sharp || edge.seam || edge.degenerate || !of_solid(edge.faces[0])) continue;
     const double followed = borders.follow(mesh, geometry, id, size);
@@ -148,7 +152,7 @@ Faithfulness measure_faithfulness(const HexComplex& mesh, const Geometry& geomet
 
   if (surface != nullptr) {
     constexpr double kLargestGap = 0.6;  // the samples are dense: half an element and a little
-    const std::vector<double> gap = gaps(mesh, *surface, geometry);
+    const std::vector<double> gap = gaps(mesh, *surface, geometry, context);
     for (int f = 1; f <= faces; ++f) {
       result.largest_gap = std::max(result.largest_gap, gap[f]);
       if (gap[f] > kLargestGap * size) result.faces_not_covered.push_back(f);

@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "base/context.h"
 #include "mesh/geometry.h"
 #include "mesh/hex_complex.h"
 #include "mesh/surface_mesh.h"
@@ -25,6 +26,7 @@ struct Faithfulness {
 
 /// `surface` is the solid's surface mesh (the CAD, sampled), in the coordinates of `mesh`; null: gaps are not measured.
 /// `solid`: 1-based, or 0 for all solids. `size` is the element size h.
-Faithfulness measure_faithfulness(const HexComplex& mesh, const Geometry& geometry, int solid, const SurfaceMesh* surface, double size);
+Faithfulness measure_faithfulness(const HexComplex& mesh, const Geometry& geometry, int solid, const SurfaceMesh* surface, double size,
+                                  const Context& context);
 
 }  // namespace hexfeature

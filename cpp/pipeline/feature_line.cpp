@@ -83,6 +83,7 @@ bool is_better(const SmoothReport& a, const Worth& worth_a, const SmoothReport& 
   constexpr double kSeen = 0.005;
   if (a.inverted != b.inverted) return a.inverted < b.inverted;
   if (worth_a.faithful != worth_b.faithful) return worth_a.faithful;
+  if (a.inverted == 0 && !worth_a.faithful && worth_a.lost != worth_b.lost) return worth_a.lost < worth_b.lost;
   return a.min_sj > b.min_sj + kSeen;
 }
 
@@ -138,7 +139,7 @@ HexComplex smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shap
     result.smoothing = smoothed;
     trials.worth = worth;
     if (smoothed.inverted > 0 && trials.once) break;
-    if (worth.edges_lost && run.options.method == "auto") break;  // the next method will do better
+    if (worth.edges_lost && run.options.method == "auto") break;  // no choice of sheets mends that; the next method may
   }
   return best;
 }

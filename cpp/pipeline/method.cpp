@@ -19,7 +19,8 @@ bool Worth::better_than(const Worth& other) const {
 }
 
 Worth worth_of(const HexComplex& mesh, const SmoothReport& smoothing, const SolidTask& task) {
-  const Faithfulness kept = measure_faithfulness(mesh, task.part.geometry(), task.solid, &task.run.result.surface, task.run.options.size);
+  const Faithfulness kept =
+      measure_faithfulness(mesh, task.part.geometry(), task.solid, &task.run.result.surface, task.run.options.size, task.run.context);
   Worth worth;
   worth.faithful = kept.complete();
   worth.edges_lost = !kept.edges_kept();

@@ -77,7 +77,7 @@ void mesh_part(Part& part, Run& run) {
   part.place_in_world();
   result.quality = measure_quality(result.mesh, *geometry.projector, run.context);
   result.limits = measure_limits(result.mesh, geometry);
-  Faithfulness kept = measure_faithfulness(result.mesh, geometry, 0, nullptr, run.options.size);
+  Faithfulness kept = measure_faithfulness(result.mesh, geometry, 0, nullptr, run.options.size, run.context);
   result.faces_without_quads = std::move(kept.faces_without_quads);
   result.sharp_edges_not_followed = std::move(kept.sharp_edges_not_followed);
   if (run.options.order == 2) {

@@ -47,14 +47,14 @@ HexComplex take(Candidate& best, Result& result) {
 
 }  // namespace
 
-HexComplex mesh_solid(Part& part, int solid, const std::vector<Mat3>& frames, Run& run, const std::vector<Method>& all) {
+HexComplex mesh_solid(Part& part, int solid, const std::vector<Mat3>& frames, Run& run, const std::vector<Method>& methods) {
   const SolidTask task{part, solid, frames, run};
   std::optional<Candidate> best;
   std::optional<MeshingError> first_failure;
-  const std::vector<const Method*> methods = chosen_methods(all, run.options.method);
-  for (const Method* method : methods) {
+  const std::vector<const Method*> chosen = chosen_methods(methods, run.options.method);
+  for (const Method* method : chosen) {
     const auto start = Context::Clock::now();
-    const Budget budget(run.context, method == methods.back());
+    const Budget budget(run.context, method == chosen.back());
     const auto mark_others = [&](const std::string& name) {
       for (Attempt& a : run.result.attempts)
         if (a.solid == solid && a.method == name && a.reason.empty()) {

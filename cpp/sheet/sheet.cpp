@@ -10,12 +10,12 @@ namespace {
 
 constexpr double kConflictFactor = 2;  // see join_groups
 
-// What tells one group from another from sheet to sheet. A floor: its chart and the least node of its line or where this turns (nodes keep
-// their numbers).
+// What tells one group from another from sheet to sheet. A floor: its chart, and the least node at its foot (nodes keep their numbers) or
+// the side of the CAD edge (whose nodes are others after another sheet crossed it).
 std::vector<int> name_of(const SheetGroup& group) {
   if (group.floor_chart < 0) return group.charts;
-  const int node = group.turn_node >= 0 ? group.turn_node : (*std::min_element(group.floor_edges.begin(), group.floor_edges.end()))[0];
-  return {-1 - group.floor_chart, node};
+  if (group.cad_edge > 0) return {-1 - group.floor_chart, -1 - 2 * group.cad_edge - group.left};
+  return {-1 - group.floor_chart, (*std::min_element(group.floor_edges.begin(), group.floor_edges.end()))[0]};
 }
 
 bool same_sheet(const SheetGroup& a, const SheetGroup& b) { return name_of(a) == name_of(b); }

@@ -30,7 +30,8 @@ struct SheetGroup {
   std::vector<std::array<int, 2>> floor_edges;   ///< floors only: the edges of the line
   std::vector<int> floor_quads;                  ///< ... and of each the quad on the floor's side
   int floor_chart = -1;                          ///< floors only: their chart; -1: no floor
-  int turn_node = -1;                            ///< floors beside a CAD edge inside the chart: a node where the path turns; else -1
+  int cad_edge = 0;                              ///< floors beside a CAD edge inside the chart: that edge; else 0
+  bool left = false;                             ///< ... and whether they lie to its left
 };
 
 struct SheetReport {

@@ -17,7 +17,7 @@ constexpr int kConflictRounds = 6;
 
 // Blocks numbered 0.. in the order of their ids; each hexahedron its own block beside a CAD edge inside a chart: that cuts blocks.
 std::vector<int> dense_blocks(const HexComplex& complex, const SheetGroup& group, int& count) {
-  if (group.turn_node >= 0) {
+  if (group.cad_edge > 0) {
     std::vector<int> each(complex.hexes.size());
     std::iota(each.begin(), each.end(), 0);
     count = complex.hex_count();

@@ -175,11 +175,19 @@ void walk_line(const HexComplex& complex, const HexTopology& topology, int q, in
   }
 }
 
+// Whether three nodes on one CAD edge follow each other as its parameter rises, by two of them that slide on it.
+bool runs_along(const HexComplex& complex, int before, int middle, int after) {
+  const auto slides = [&](int v) { return complex.place[v].dim == 1; };
+  if (!slides(middle)) return !(slides(before) && slides(after)) || complex.place[before].uv[0] < complex.place[after].uv[0];
+  if (slides(after)) return complex.place[middle].uv[0] < complex.place[after].uv[0];
+  return !slides(before) || complex.place[before].uv[0] < complex.place[middle].uv[0];
+}
+
 // CAD edges inside a chart that mesh edges follow with turns: on the inner side of a turn one quad has both its edges on the curve, and a
 // corner of nearly 180 degrees. The floor is that side.
 void find_turns(const HexComplex& complex, const HexTopology& topology, double degrees, std::vector<SheetGroup>& groups) {
   const auto is_inner = [&](const HexTopology::Edge& e) { return complex.quad_chart[e.quads[0]] == complex.quad_chart[e.quads[1]]; };
-  std::vector<std::array<int, 2>> settled;  // (quad, edge's lesser node), sorted
+  std::vector<std::array<int, 2>> settled;  // (quad, node), sorted
   for (int q = 0; q < static_cast<int>(complex.quads.size()); ++q)
     for (int i = 0; i < 4; ++i) {
       const auto& n = complex.quads[q];
@@ -190,13 +198,14 @@ void find_turns(const HexComplex& complex, const HexTopology& topology, double d
       if (std::binary_search(settled.begin(), settled.end(), std::array<int, 2>{q, middle})) continue;
       SheetGroup floor;
       floor.floor_chart = complex.quad_chart[q];
-      floor.turn_node = middle;
+      floor.cad_edge = feature_of(complex, middle, after);
+      floor.left = runs_along(complex, before, middle, after);
       walk_line(complex, topology, q, middle, after, true, floor);
       walk_line(complex, topology, q, middle, before, false, floor);
       for (std::size_t k = 0; k < floor.floor_edges.size(); ++k)
         for (int v : floor.floor_edges[k]) settled.push_back({floor.floor_quads[k], v});
       std::sort(settled.begin(), settled.end());
-      groups.push_back(std::move(floor));
+      if (!floor.floor_edges.empty()) groups.push_back(std::move(floor));
     }
 }
 

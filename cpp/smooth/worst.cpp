@@ -77,7 +77,7 @@ void lift_worst(HexComplex& mesh, SmoothSetting& setting) {
   constexpr double kLeastGain = 0.003;
   std::vector<double> quality;
   for (int k = 0; k < kSweeps; ++k) {
-    setting.context.progress("smooth", 0.8 + 0.2 * k / kSweeps);
+    setting.context.progress("smooth", 0.8 + 0.15 * k / kSweeps);
     measure(mesh, setting.workers, quality);
     const double worst = *std::min_element(quality.begin(), quality.end());
     const double limit = std::clamp(worst + 0.25, 0.5, 0.95);
@@ -92,15 +92,15 @@ void lift_worst(HexComplex& mesh, SmoothSetting& setting) {
 
 void lift_places(HexComplex& mesh, SmoothSetting& setting) {
   constexpr int kPlaces = 60;
-  constexpr double kLimit = 0.4, kLeastGain = 1e-3;
+  constexpr double kLimit = 0.4, kLeastGain = 5e-3;
   std::vector<double> quality;
   measure(mesh, setting.workers, quality);
   std::vector<char> settled(mesh.hexes.size(), 0);
   for (int place = 0; place < kPlaces; ++place) {
-    setting.context.check();
+    setting.context.progress("smooth", 0.95 + 0.05 * place / kPlaces);
     int worst = -1;
     for (int h = 0; h < mesh.hex_count(); ++h)
-      if (!settled[h] && quality[h] < kLimit && (worst < 0 || quality[h] < quality[worst])) worst = h;
+      if (!settled[h] && quality[h] > 0 && quality[h] < kLimit && (worst < 0 || quality[h] < quality[worst])) worst = h;
     if (worst < 0) return;
     Patch patch(mesh, points_near(mesh, 2, [&](int h) { return h == worst; }), setting);
     // A tenth more of the worst element is worth a twentieth of the neighbourhood's mean.

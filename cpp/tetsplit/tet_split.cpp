@@ -44,8 +44,10 @@ std::vector<Vec3> bad_places(const HexComplex& mesh, double limit) {
 
 HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const TetSplitOptions& options, Context& context,
                      TetSplitReport& report) {
+  // Edge lengths of the attempts over those asked for. The second is finer only where the first was bad, if it gave a mesh; the others
+  // are other everywhere, since other elements meet there.
   constexpr double kFiner = 0.6;
-  constexpr std::array<double, 4> kOtherwise{1.2, 0.85, 0.72, 0.6};
+  constexpr std::array<double, 5> kLengths{1, kFiner, 1.2, 0.85, 0.72};
   const double h = options.size;
   context.progress("tet-split", 0);
   SizeOptions sizes;
@@ -56,7 +58,6 @@ HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const
   Remesher whole(surface, geometry, kTiny * h);
   whole.refine([&](const Vec3&) { return h; }, context);
   const SizeField base(whole.result(), geometry, sizes, context);
-  SizeField field = base;
 
   SmoothOptions smoothing;
   smoothing.size = h;
@@ -70,6 +71,15 @@ HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const
     ++report.attempts;
     try {
       context.progress("tet-split", static_cast<double>(attempt) / options.attempts);
+      SizeField field = base.scaled(kLengths[std::min<std::size_t>(attempt, kLengths.size() - 1)]);
+      if (attempt == 1 && best) {
+        field = base;
+        field.refine(bad_places(*best, options.good_enough), kFiner);
+        if (report.smoothing.min_sj < kTipsForbid) {
+          cut.emplace(whole);
+          context.log("tet-split: " + std::to_string(cut->cut_tips(kTipWidth * h, kTipLength * h, context)) + " tips cut");
+        }
+      }
       Remesher remesher = cut ? *cut : whole;
       remesher.remesh([&](const Vec3& p) { return field.at(p); }, 6, context);
       remesher.cut_ears(context);
@@ -86,34 +96,24 @@ HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const
       context.log("tet-split, attempt " + std::to_string(attempt + 1) + ": " + std::to_string(triangles.triangle_count()) + " triangles, " +
                   std::to_string(tets.tets.size()) + " tetrahedra, worst " + std::to_string(smoothed.min_sj) + ", inverted " +
                   std::to_string(smoothed.inverted));
+      work += mesh.hex_count();
       const bool better = !best || (smoothed.inverted != report.smoothing.inverted ? smoothed.inverted < report.smoothing.inverted
                                                                                    : smoothed.min_sj > report.smoothing.min_sj);
       if (better) {
         report.smoothing = smoothed;
         report.triangles = triangles.triangle_count();
         report.tetrahedra = static_cast<int>(tets.tets.size());
-        best = mesh;
+        best = std::move(mesh);
+      } else if (attempt == 1) {
+        cut.reset();  // that did not help
       }
       if (smoothed.inverted == 0 && smoothed.min_sj >= options.good_enough) break;
-      work += mesh.hex_count();
       if (smoothed.inverted == 0 && smoothed.min_sj >= kBearable && work > kMostWork) break;
-      // Finer where it was bad, and without the tips of faces that forbid a better mesh, if that helps; then coarser and finer everywhere,
-      // since other elements meet there.
-      if (attempt == 0) {
-        field.refine(bad_places(mesh, options.good_enough), kFiner);
-        if (smoothed.min_sj < kTipsForbid) {
-          cut.emplace(whole);
-          context.log("tet-split: " + std::to_string(cut->cut_tips(kTipWidth * h, kTipLength * h, context)) + " tips cut");
-        }
-      } else {
-        if (attempt == 1 && !better) cut.reset();
-        field = base.scaled(kOtherwise[std::min<std::size_t>(attempt - 1, kOtherwise.size() - 1)]);
-      }
     } catch (const MeshingError& error) {
       if (error.kind != Failure::NoMesh) throw;
       context.log("tet-split, attempt " + std::to_string(attempt + 1) + " gave up in step " + error.step + ": " + error.reason);
       failure = error;
-      field = field.scaled(kFiner);
+      if (attempt == 1) cut.reset();
     }
   }
   if (!best) throw *failure;

@@ -12,7 +12,7 @@ namespace hexfeature {
 
 struct TetSplitOptions {
   double size = 1;            ///< element size h
-  int attempts = 5;           ///< at most so many: finer where the last one was bad, and a little finer everywhere
+  int attempts = 5;           ///< at most so many: finer where the first one was bad, then coarser and finer everywhere
   double good_enough = 0.15;  ///< least scaled Jacobian at which no further attempt is made
   int threads = 2;
   std::string netgen;  ///< see TetOptions::program
