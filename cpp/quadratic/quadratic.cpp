@@ -2,7 +2,6 @@
 #include "quadratic/quadratic.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -13,8 +12,9 @@
 namespace hexfeature {
 namespace {
 
-constexpr int kHalvings = 4;      // then all the way to the chord
-constexpr double kOnCad = 1e-11;  // of the edge's length
+constexpr int kHalvings = 4;                                               // then all the way to the chord
+constexpr double kOnCad = 1e-11;                                           // of the edge's length
+constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();  // of the largest coordinate: a projection's, far away
 
 class BackOff {
  public:
@@ -82,6 +82,11 @@ double deviation_of(const Bows& bows, int e, const Projector& projector) {
   return 0;
 }
 
+/// A mid-side node is on the CAD within this distance: what is left of a projection.
+double on_cad_tolerance(const Bows& bows, int e) {
+  return std::max(kOnCad * bows.length[e], kRounding * (bows.chord[e] + bows.bow[e]).lpNorm<Eigen::Infinity>());
+}
+
 }  // namespace
 
 QuadraticMesh make_quadratic(const HexComplex& complex, const Projector& projector, Context& context) {
@@ -101,7 +106,7 @@ QuadraticMesh make_quadratic(const HexComplex& complex, const Projector& project
     bows.place[e] = claimed[e];
     const double distance = deviation_of(bows, e, projector);
     // One that went back to the chord is still on a straight curve or a plane.
-    if (distance > kOnCad * bows.length[e]) {
+    if (distance > on_cad_tolerance(bows, e)) {
       off_cad[e] = 1;
       result.straightened.push_back(first_mid + e);
       bows.place[e] = CadPlace{};
