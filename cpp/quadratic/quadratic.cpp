@@ -2,7 +2,7 @@
 #include "quadratic/quadratic.h"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -13,8 +13,9 @@
 namespace hexfeature {
 namespace {
 
-constexpr int kHalvings = 4;      // then all the way to the chord
-constexpr double kOnCad = 1e-11;  // of the edge's length
+constexpr int kHalvings = 4;                                               // then all the way to the chord
+constexpr double kOnCad = 1e-11;                                           // of the edge's length
+constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();  // of the largest coordinate: a projection's, far away
 
 class BackOff {
  public:
@@ -26,12 +27,12 @@ class BackOff {
   }
   /// Elements that cannot be proved good.
   std::vector<int> bad() const {
-    std::vector<int> result;
-    for (int h = 0; h < complex_.hex_count(); ++h) {
-      if (h % 1024 == 0) context_.check();
-      if (!straight(h) && !proves_positive(bent_element(complex_, edges_, bows_, h))) result.push_back(h);
-    }
-    return result;
+    return bad_where([](int) { return true; });
+  }
+  /// The same, only those with an edge in `changed` (flags per edge).
+  std::vector<int> bad_around(const std::vector<char>& changed) const {
+    return bad_where(
+        [&](int h) { return std::any_of(edges_.of_hex[h].begin(), edges_.of_hex[h].end(), [&](int e) { return changed[e] != 0; }); });
   }
   /// Halve the bows of the bad elements' edges, on the CAD too or only inside; at last all of them. Returns what is still bad.
   std::vector<int> straighten(std::vector<int> bad, bool on_cad) {
@@ -50,6 +51,16 @@ class BackOff {
   }
 
  private:
+  template <class Where>
+  std::vector<int> bad_where(const Where& where) const {
+    std::vector<int> result;
+    for (int h = 0; h < complex_.hex_count(); ++h) {
+      if (h % 1024 == 0) context_.check();
+      if (where(h) && !straight(h) && !proves_positive(bent_element(complex_, edges_, bows_, h))) result.push_back(h);
+    }
+    return result;
+  }
+
   const HexComplex& complex_;
   const MeshEdges& edges_;
   Bows& bows_;
@@ -57,9 +68,9 @@ class BackOff {
 };
 
 /// Let one mid-side node of each bad element leave the CAD, before others one on a face, before others the one most bent.
-/// False when none of them is on the CAD.
-bool release_from_cad(const MeshEdges& edges, const std::vector<int>& bad, Bows& bows) {
-  bool any = false;
+/// Returns flags per edge: those that did. All elements round these are changed, not only the bad ones.
+std::vector<char> release_from_cad(const MeshEdges& edges, const std::vector<int>& bad, Bows& bows) {
+  std::vector<char> released(edges.count(), 0);
   for (int h : bad) {
     int chosen = -1;
     const auto key = [&](int e) { return std::make_pair(bows.place[e].dim, bows.bow[e].norm() / bows.length[e]); };
@@ -68,18 +79,45 @@ bool release_from_cad(const MeshEdges& edges, const std::vector<int>& bad, Bows&
     if (chosen < 0) continue;
     bows.place[chosen] = CadPlace{};
     bows.bow[chosen] *= 0.5;
-    any = true;
+    released[chosen] = 1;
   }
-  return any;
+  return released;
 }
 
-/// Distance of the mid-side node of an edge from the curve or face that it claims to lie on; 0 inside.
-double deviation_of(const Bows& bows, int e, const Projector& projector) {
-  const CadPlace& place = bows.place[e];
+/// Unfold; then let nodes of what is bad still leave the CAD, and unfold again, until none is bad or none is left there.
+void unfold_off_cad(const HexComplex& complex, const MeshEdges& edges, const Projector& projector, const BackOff& back_off,
+                    std::vector<int> bad, Bows& bows, Context& context) {
+  bad = unfold(complex, edges, projector, bad, bows, context);
+  while (!bad.empty()) {
+    const std::vector<char> released = release_from_cad(edges, bad, bows);
+    if (std::none_of(released.begin(), released.end(), [](char r) { return r != 0; })) return;
+    const std::vector<int> around = back_off.bad_around(released);
+    std::vector<int> all;
+    std::set_union(bad.begin(), bad.end(), around.begin(), around.end(), std::back_inserter(all));
+    bad = unfold(complex, edges, projector, all, bows, context);
+  }
+}
+
+/// Distance of the mid-side node of an edge from the curve or face `place`, whose parameters become those of the foot point;
+/// they are where to look first if `near`. 0 inside.
+double find_foot(const Bows& bows, int e, const Projector& projector, bool near, CadPlace& place) {
   const Vec3 p = bows.chord[e] + bows.bow[e];
-  if (place.dim == 1) return (projector.project_to_edge(place.entity, p, &place.uv[0]).point - p).norm();
-  if (place.dim == 2) return (projector.project_to_face(place.entity, p, &place.uv).point - p).norm();
+  if (place.dim == 1) {
+    const CurvePoint foot = projector.project_to_edge(place.entity, p, near ? &place.uv[0] : nullptr);
+    place.uv = Vec2(foot.t, 0);
+    return (foot.point - p).norm();
+  }
+  if (place.dim == 2) {
+    const FacePoint foot = projector.project_to_face(place.entity, p, near ? &place.uv : nullptr);
+    place.uv = foot.uv;
+    return (foot.point - p).norm();
+  }
   return 0;
+}
+
+/// A mid-side node is on the CAD within this distance: what is left of a projection.
+double on_cad_tolerance(const Bows& bows, int e) {
+  return std::max(kOnCad * bows.length[e], kRounding * (bows.chord[e] + bows.bow[e]).lpNorm<Eigen::Infinity>());
 }
 
 }  // namespace
@@ -91,17 +129,23 @@ QuadraticMesh make_quadratic(const HexComplex& complex, const Projector& project
 
   BackOff back_off(complex, edges, bows, context);
   const std::vector<CadPlace> claimed = bows.place;
-  std::vector<int> bad = unfold(complex, edges, projector, back_off.straighten(back_off.bad(), false), bows, context);
-  while (!bad.empty() && release_from_cad(edges, bad, bows)) bad = unfold(complex, edges, projector, bad, bows, context);
-  back_off.straighten(bad, true);
+  const std::vector<int> bad = back_off.straighten(back_off.bad(), false);
+  if (!bad.empty()) {
+    unfold_off_cad(complex, edges, projector, back_off, bad, bows, context);
+    back_off.straighten(back_off.bad(), true);  // the last proof is one of all elements
+  }
 
   const int first_mid = complex.point_count();
   std::vector<char> off_cad(edges.count(), 0);
   for (int e = 0; e < edges.count(); ++e) {
-    bows.place[e] = claimed[e];
-    const double distance = deviation_of(bows, e, projector);
-    // One that went back to the chord is still on a straight curve or a plane.
-    if (distance > kOnCad * bows.length[e]) {
+    // One that slid has its new parameters. One that was let off, or went back to the chord, may be on a straight curve or a plane
+    // still, but far from its old ones.
+    const bool let_off = bows.place[e].dim == 3;
+    if (let_off) bows.place[e] = claimed[e];
+    double distance = find_foot(bows, e, projector, !let_off, bows.place[e]);
+    const double tolerance = on_cad_tolerance(bows, e);
+    if (!let_off && distance > tolerance) distance = find_foot(bows, e, projector, false, bows.place[e]);
+    if (distance > tolerance) {
       off_cad[e] = 1;
       result.straightened.push_back(first_mid + e);
       bows.place[e] = CadPlace{};

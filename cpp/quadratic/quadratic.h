@@ -15,8 +15,8 @@ namespace hexfeature {
 /// 0-7 corners; 8-11 mid-sides of 0-1 1-2 2-3 3-0; 12-15 of 4-5 5-6 6-7 7-4; 16-19 of 0-4 1-5 2-6 3-7.
 /// Quads: 0-3 corners, 4-7 mid-sides of 0-1 1-2 2-3 3-0.
 struct QuadraticMesh {
-  std::vector<Vec3> mid_points;  ///< node numbers continue after the complex' points
-  std::vector<CadPlace> mid_place;
+  std::vector<Vec3> mid_points;     ///< node numbers continue after the complex' points
+  std::vector<CadPlace> mid_place;  ///< with the parameters of where the node is; inside when it left the CAD
   std::vector<std::array<int, 20>> hexes;
   std::vector<std::array<int, 8>> quads;
   std::vector<int> straightened;        ///< boundary mid-side nodes that left the CAD because an element would turn bad
@@ -29,7 +29,8 @@ struct QuadraticMesh {
 /// every element positive everywhere by the Bernstein coefficients of its second-order map. Where that fails, the element's
 /// mid-side nodes inside the part go back to the chord, by halves; where that is not enough, its nodes move inside and on the CAD
 /// (unfold); where even that is not enough, one after the other leaves the CAD: then a load that looks for its nodes by geometry
-/// misses them. A straight-sided element has the first-order map, which is proved already: so this ends.
+/// misses them. A straight-sided element has the first-order map, which is proved already: so this ends. The last proof is one of all
+/// elements. A node is on the CAD within 1e-11 of its edge's length or 16 roundings of its largest coordinate, if that is more.
 QuadraticMesh make_quadratic(const HexComplex& complex, const Projector& projector, Context& context);
 
 }  // namespace hexfeature

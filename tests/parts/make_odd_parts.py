@@ -35,6 +35,16 @@ def far():
     return shape
 
 
+def far_turned():
+    """A bracket with a hole and two fillets, far away and along no axis: every coordinate of its CAD is rounded."""
+    block = Part.makeBox(40, 30, 20)
+    rounded = block.makeFillet(5, [e for e in block.Edges if e.BoundBox.XLength > 39 and e.BoundBox.ZMin > 19])
+    shape = rounded.cut(Part.makeCylinder(6, 20, V(20, 15, 0)))
+    shape.rotate(V(0, 0, 0), V(1, 2, 3), 37)
+    shape.translate(V(3e5, -2e5, 1e5))
+    return shape
+
+
 def hollow():
     """A block with a closed void."""
     return Part.makeBox(30, 30, 30).cut(Part.makeBox(10, 10, 10, V(10, 10, 10)))
@@ -108,7 +118,7 @@ def corner_cone():
 
 #: name -> (function, ending)
 SHAPES = {
-    "plate": (plate, "step"), "far": (far, "step"),
+    "plate": (plate, "step"), "far": (far, "step"), "far_turned": (far_turned, "step"),
     "tiny": (lambda: scaled(2.5e-5), "step"),
     "huge": (lambda: scaled(2500), "step"),
     "hollow": (hollow, "step"), "stray": (stray, "step"), "inside_out": (inside_out, "brep"),

@@ -55,6 +55,13 @@ def test_what_was_left_out_or_mended_is_said(odd, name, word):
     assert any(word in warning for warning in mesh.report["warnings"]), mesh.report["warnings"]
 
 
+def test_mid_side_nodes_far_away_are_on_the_cad(odd):
+    """There a projection is as exact as the coordinates, which is less than in proportion to an edge's length."""
+    second = hexfeature.mesh(odd / "far_turned.step", size=3, order=2).report["second_order"]
+    assert second["straightened_nodes"] == second["straightened_faces"] == []
+    assert second["proved_positive"] and second["largest_mid_side_deviation"] < 1e-9
+
+
 def test_a_closed_void(odd):
     mesh = hexfeature.mesh(odd / "hollow.step", size=5)
     assert len(mesh.hexes) == 6**3 - 2**3
