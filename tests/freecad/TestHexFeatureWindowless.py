@@ -134,7 +134,8 @@ class TestJob(unittest.TestCase):
 
         tee, box, unasked = (
             Job(shape.exportBrepToString(), {"size": size, "stop_after": "shape"}, wants_first_look=wanted).start()
-            for shape, size, wanted in ((make_parts.pipe_tee(), 3.0, True), (make_parts.box(), 5.0, True), (make_parts.pipe_tee(), 3.0, False)))
+            for shape, size, wanted in (
+                (make_parts.pipe_tee(), 3.0, True), (make_parts.box(), 5.0, True), (make_parts.pipe_tee(), 3.0, False)))
         for job in (tee, box, unasked):
             job.join(60)
         self.assertIsNone(box.first_look)
