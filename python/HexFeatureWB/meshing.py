@@ -146,6 +146,15 @@ def cancelled_error(step):
     return error
 
 
+def building_error(step, caught):
+    """The MeshingError of a mesh that the core has made and FreeCAD could not take; `caught`: what was raised."""
+    reason = "FreeCAD's mesh cannot be built: %s" % (str(caught) or type(caught).__name__)
+    error = MeshingError("%s: %s" % (step, reason))
+    error.kind, error.step, error.reason, error.cad_faces = "no_mesh", step, reason, []
+    error.hint = "close what needs memory, or take a larger element size" if isinstance(caught, MemoryError) else ""
+    return error
+
+
 def usage(reason):
     """A MeshingError about an option."""
     error = MeshingError("options: " + reason)

@@ -178,7 +178,7 @@ class Constraints:
                 self.assertEqual({int(node) for node, _, _ in loads}, self.nodes(name), name)
             total = [sum(float(value) for _, axis, value in loads if axis == str(k)) for k in (1, 2, 3)]
             total = FreeCAD.Vector(*total).Length
-            if name == self.HOLE:  # shared by the elements' areas over the CAD face's: flat ones of first order are smaller
+            if name == self.HOLE:  # the elements' areas over the CAD face's: flat at first order, with our curved quads at second
                 self.assertAlmostEqual(total, 100, delta=4 if self.order == 1 else 0.1)
             else:
                 self.assertAlmostEqual(total, 100, places=4, msg=name)

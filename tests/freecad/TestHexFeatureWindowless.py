@@ -6,6 +6,7 @@ import tempfile
 import unittest
 
 import FreeCAD
+import numpy as np
 import Part
 
 import HexFeatureWB
@@ -131,25 +132,27 @@ class TestJob(unittest.TestCase):
     def test_a_first_look_where_labels_have_to_be_repaired(self):
         from HexFeatureWB.job import Job
 
-        tee, box = (Job(shape.exportBrepToString(), {"size": size, "stop_after": "shape"}).start()
-                    for shape, size in ((make_parts.pipe_tee(), 3.0), (make_parts.box(), 5.0)))
-        for job in (tee, box):
+        tee, box, unasked = (
+            Job(shape.exportBrepToString(), {"size": size, "stop_after": "shape"}, wants_first_look=wanted).start()
+            for shape, size, wanted in (
+                (make_parts.pipe_tee(), 3.0, True), (make_parts.box(), 5.0, True), (make_parts.pipe_tee(), 3.0, False)))
+        for job in (tee, box, unasked):
             job.join(60)
         self.assertIsNone(box.first_look)
+        self.assertIsNone(unasked.first_look)
         first, final = (list(r.stage("labels")["label"]) for r in (tee.first_look, tee.result))
         self.assertNotEqual(first, final)
         self.assertGreater(len(tee.first_look.stage("shape")["arcs"]), 12)
 
 
 class TestForceOnARoundFace(DocumentTest):
-    def test_the_whole_force_lands_on_a_disc_of_few_elements(self):
-        document, part = new_part(make_parts.round_bar())
-        mesh = HexFeatureWB.mesh(part, size=6, order=2)
-        disc = next(n for n, face in enumerate(part.Shape.Faces, 1) if isinstance(face.Surface, Part.Plane))
-        none = [(part, ("Face1",))]
-        study, solver = analysis.static_analysis(document, mesh, none, [(part, ("Face%d" % disc,))], 1000.0)
+    def force_written(self, mesh):
+        """What lands on a disc of 1000 N, from the deck with this mesh object."""
         from femtools.ccxtools import FemToolsCcx
 
+        disc = next(n for n, face in enumerate(self.part.Shape.Faces, 1) if isinstance(face.Surface, Part.Plane))
+        none = [(self.part, ("Face1",))]
+        study, solver = analysis.static_analysis(self.document, mesh, none, [(self.part, ("Face%d" % disc,))], np.float64(1000))
         with tempfile.TemporaryDirectory() as folder:
             tools = FemToolsCcx(study, solver, test_mode=False)
             tools.update_objects()
@@ -158,7 +161,15 @@ class TestForceOnARoundFace(DocumentTest):
             with open(tools.inp_file_name) as f:
                 rows = re.findall(r"^\d+, *[123], *(\S+)$", f.read().partition("*CLOAD")[2], re.MULTILINE)
         self.assertGreater(len(rows), 20)
-        self.assertAlmostEqual(abs(sum(map(float, rows))), 1000.0, delta=1.0)
+        return abs(sum(map(float, rows)))
+
+    def test_the_whole_force_lands_on_a_disc_of_few_elements_of_ours_alone(self):
+        self.document, self.part = new_part(make_parts.round_bar())
+        ours = HexFeatureWB.mesh(self.part, size=6, order=2)
+        self.assertAlmostEqual(self.force_written(ours), 1000.0, delta=1.0)
+        another = self.document.addObject("Fem::FemMeshObject", "Another")
+        another.FemMesh = ours.FemMesh
+        self.assertLess(self.force_written(another), 995.0)
 
 
 class TestMissingExtension(unittest.TestCase):

@@ -38,9 +38,21 @@ make_root() {
   fi
 }
 
+# A root that stays mounted would take the machine's own /dev with it when it is removed.
+unmount() {
+  for suite in $suites; do
+    for each in dev sys proc; do
+      ! mountpoint -q "$roots/$suite/$each" || umount "$roots/$suite/$each" || umount -l "$roots/$suite/$each" || true
+    done
+  done
+}
+
 code=0
+suites=$*
 older=$(mktemp -d)
-trap 'rm -rf "$older"' EXIT
+trap 'rm -rf "$older"; unmount' EXIT
+trap 'exit 130' INT
+trap 'exit 143' TERM
 HEXFEATURE_SAVE="$older/older.FCStd" QT_QPA_PLATFORM=offscreen \
   freecadcmd -P "$here/python" -P "$here/tests/parts" "$here/tests/freecad/save_document.py" >"$older/log" 2>&1 </dev/null || cat "$older/log"
 for suite in "$@"; do
@@ -54,11 +66,13 @@ for suite in "$@"; do
     rm -f python/hexfeature/_core*.so
     cmake -G Ninja -B build -DCMAKE_BUILD_TYPE=Release -DHEXFEATURE_TESTS=OFF -DPython3_EXECUTABLE=/usr/bin/python3 >build.log 2>&1 || { cat build.log; exit 1; }
     cmake --build build >>build.log 2>&1 || { tail -40 build.log; exit 1; }
+    code=0
     for t in TestHexFeature TestHexFeatureWindowless TestHexFeatureConstraints; do
       QT_QPA_PLATFORM=offscreen $(command -v freecadcmd || command -v FreeCADCmd) -P python -P tests/freecad -P tests/parts -t $t \
-        >$t.log 2>&1 || { grep -A30 "^=====" $t.log || tail -30 $t.log; echo "FAILED $t"; }
+        >$t.log 2>&1 && grep -q "^OK" $t.log || { grep -A30 "^=====" $t.log || tail -30 $t.log; echo "FAILED $t"; code=1; }
       echo $t: $(grep -E "^Ran|^OK|^FAILED" $t.log)
     done
-    FREECAD=$(command -v freecad || command -v FreeCAD) tests/gui/run.sh '"${HEXFEATURE_GUI_TESTS:-}" || code=1
+    FREECAD=$(command -v freecad || command -v FreeCAD) tests/gui/run.sh '"${HEXFEATURE_GUI_TESTS:-}"' || code=1
+    exit $code' || code=1
 done
 exit $code

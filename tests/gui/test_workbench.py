@@ -279,6 +279,40 @@ class TestTaskPanel(GuiTest):
         self.assertTrue(part.ViewObject.Visibility)
         picture("panel-failed")
 
+    def test_a_mesh_that_freecad_cannot_take_is_a_failure(self):
+        from HexFeatureWB import fem_mesh
+        from HexFeatureWB.gui import run
+
+        class NoRoom(fem_mesh.FemMeshBuilder):
+            def __init__(self, result):
+                raise RuntimeError("no room")
+
+        class HalfRoom(fem_mesh.FemMeshBuilder):
+            CHUNK = 50
+
+            def _chunks(self, *arrays):
+                yield next(super()._chunks(*arrays))
+                raise MemoryError
+
+        document, part = driver.show_part(make_parts.box())
+        panel = self.open_panel(part)
+        panel.size.set_value(5.0)
+        wait_until(lambda: not panel.preview.busy)
+        try:
+            for builder, said in ((NoRoom, "no room"), (HalfRoom, "MemoryError")):
+                run.FemMeshBuilder = builder
+                child(panel.form, "mesh_button").click()
+                job = panel.job
+                wait_until(lambda: panel.job is None, 30)
+                self.assertEqual((job.result, job.error.kind, job.error.step), (None, "no_mesh", "build"))
+                self.assertIn(said, panel.state.text())
+                self.assertEqual(document.Objects, [part])
+        finally:
+            run.FemMeshBuilder = fem_mesh.FemMeshBuilder
+        child(panel.form, "mesh_button").click()
+        wait_until(lambda: panel.job is None)
+        self.assertEqual(panel.mesh.FemMesh.VolumeCount, 80)
+
     def test_a_body_a_link_and_one_solid_of_a_compound(self):
         import Part
 
@@ -534,6 +568,39 @@ class TestExportAndBatch(GuiTest):
             exec("\n".join(recorded))
             self.assertGreater(os.path.getmtime(os.path.join(out, "box.FCStd")), before)
             self.assertEqual(FreeCAD.listDocuments(), {})
+            child(dialog, "close_button").click()
+
+    def test_a_batch_given_up_a_path_with_semicolons_and_a_summary_that_cannot_be_written(self):
+        with tempfile.TemporaryDirectory() as folder:
+            odd = os.path.join(folder, "a;b")
+            os.mkdir(odd)
+            box = make_parts.make("box", odd)
+            shaft = make_parts.make("crank_shaft", folder)
+            out = os.path.join(folder, "out")
+            driver.action("Batch").trigger()
+            dialog = batch_dialog.current
+            dialog.folder.setText(out)
+
+            def give_up():
+                child(dialog, "start_button").click()
+                live(0.2)
+                child(dialog, "cancel_button").click()
+                wait_until(lambda: dialog.start_button.isEnabled())
+
+            dialog.files.setPlainText("%s; 1 mm\n%s" % (shaft, box))
+            recorded = self.recorded(give_up)
+            self.assertFalse([line for line in recorded if "batch.run" in line])
+            self.assertEqual([row["result"] for row in dialog.rows], ["failed"])
+            self.assertTrue(os.path.isfile(os.path.join(out, "summary.csv")))
+
+            os.remove(os.path.join(out, "summary.csv"))
+            os.mkdir(os.path.join(out, "summary.csv"))
+            dialog.files.setPlainText("%s\n%s; 5 mm" % (box, box))
+            child(dialog, "start_button").click()
+            wait_until(lambda: dialog.start_button.isEnabled())
+            self.assertEqual([row["result"] for row in dialog.rows], ["meshed", "meshed"])
+            self.assertEqual(dialog.rows[1]["hexes"], 80)
+            self.assertIn("summary.csv:", dialog.state.text())
             child(dialog, "close_button").click()
 
 

@@ -47,15 +47,3 @@ def test_a_block_by_formula_has_its_nodes_and_faces():
     assert {name: len(quads) for name, quads in sides.items()} == {"low": 6, "top": 6, "y0": 8, "x0": 8, "inner": 12, "outer": 12}
     assert np.hypot(*points[sides["inner"].ravel(), :2].T) == pytest.approx(10)
     assert points[sides["x0"].ravel(), 0] == pytest.approx(0, abs=1e-12)
-
-
-def test_the_area_of_a_curved_quad_is_the_rings():
-    from HexFeatureWB.loads import areas_of_quad8
-
-    def at(r, t):
-        return r * np.cos(t), r * np.sin(t), 0.0
-
-    ring = [at(1, 0), at(2, 0), at(2, 0.4), at(1, 0.4), at(1.5, 0), at(2, 0.2), at(1.5, 0.4), at(1, 0.2)]
-    assert sum(areas_of_quad8(ring)) == pytest.approx(0.5 * 0.4 * 3, rel=1e-4)
-    square = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0.5, 0, 0), (1, 0.5, 0), (0.5, 1, 0), (0, 0.5, 0)]
-    assert areas_of_quad8(square) == pytest.approx([-1 / 12] * 4 + [1 / 3] * 4)

@@ -24,7 +24,7 @@ class BatchDialog(QtGui.QDialog):
         self.setWindowTitle(tr("Batch of hex meshes"))
         self.setWindowIcon(messages.qicon("HexFeature_Batch"))
         self.resize(860, 520)
-        self.rows, self._items, self._item, self.job = [], None, None, None
+        self.rows, self._items, self._item, self.job, self._cancelled = [], None, None, None, False
         self._timer = QtCore.QTimer(self)
         self._timer.timeout.connect(self._look)
         column = QtGui.QVBoxLayout(self)
@@ -116,14 +116,14 @@ class BatchDialog(QtGui.QDialog):
             self.options["size"] = self.size.value()
         self._given, self.out, self.rows = files, out, []
         self.table.setRowCount(0)
-        self._items = batch.items(files, out)
+        self._items, self._cancelled = batch.items(files, out), False
         self.start_button.setEnabled(False)
         self.cancel_button.setEnabled(True)
         self._next()
         self._timer.start(POLL)
 
     def cancel(self):
-        self._items = iter(())
+        self._items, self._cancelled = iter(()), True
         if self.job is not None:
             self.job.cancel()
 
@@ -160,21 +160,34 @@ class BatchDialog(QtGui.QDialog):
             self._timer.stop()
             self.start_button.setEnabled(True)
             self.cancel_button.setEnabled(False)
-            batch.offer(self._given, self.out, self.options, self.rows)
-            record.do("import HexFeatureWB.batch")
-            record.do("HexFeatureWB.batch.run(%r, %r, %r)" % (self._given, self.out, self.options))
+            try:
+                self._write_summary()
+            except OSError as error:
+                self.state.setText(tr("Cannot write summary.csv: %s") % error.strerror)
+                return
             meshed = sum(row["result"] == "meshed" for row in self.rows)
             self.state.setText(tr("%(meshed)d of %(all)d meshed; summary.csv is in %(folder)s") % {
                 "meshed": meshed, "all": len(self.rows), "folder": self.out})
 
+    def _write_summary(self):
+        """By the line that the macro recorder sees; a batch that was given up is not recorded. Raises OSError."""
+        if self._cancelled:
+            batch.write_summary(self.rows, self.out)
+            return
+        batch.offer(self._given, self.out, self.options, self.rows)
+        record.do("import HexFeatureWB.batch")
+        record.do("HexFeatureWB.batch.run(%r, %r, %r)" % (self._given, self.out, self.options))
+
     def _files(self):
         """The paths; (path, size) where a line ends in a size of its own after a semicolon. Raises ValueError with the line."""
         files = []
-        for line in self.files.toPlainText().splitlines():
-            path, semicolon, size = (part.strip() for part in line.partition(";"))
-            if not path:
+        for line in (line.strip() for line in self.files.toPlainText().splitlines()):
+            path, semicolon, size = (part.strip() for part in line.rpartition(";"))
+            if not line or semicolon and not path:
                 continue
-            if size:
+            if not semicolon or os.path.isfile(line):  # a semicolon may be in the path
+                files.append(line)
+            elif size:
                 try:
                     value = FreeCAD.Units.Quantity(size)
                 except (ValueError, FreeCAD.Base.FreeCADError):

@@ -82,7 +82,7 @@ class Preview(QtCore.QObject):
     def _start(self):
         if self._job:
             self._job.cancel()
-        self._job, self._first_drawn = Job(*self._next).start(), False
+        self._job, self._first_drawn = Job(*self._next, wants_first_look=True).start(), False
         self._poll.start(POLL)
 
     def _look(self):

@@ -58,10 +58,15 @@ class Run(QtCore.QObject):
         self._ended(job)
 
     def _built(self, job):
-        if self._builder is None:
-            self._builder = FemMeshBuilder(job.result)
-            job.step, job.fraction = BUILDING, 0.0
-            self._timer.start(0)
-        done = self._builder.work(SLICE)
+        """Go on building. True when that is over, by an error too."""
+        try:
+            if self._builder is None:
+                job.step, job.fraction = BUILDING, 0.0
+                self._builder = FemMeshBuilder(job.result)
+                self._timer.start(0)
+            done = self._builder.work(SLICE)
+        except Exception as error:  # memory that is short, whatever SMESH raises
+            job.result, job.error = None, meshing.building_error(BUILDING, error)
+            return True
         job.fraction = self._builder.fraction
         return done

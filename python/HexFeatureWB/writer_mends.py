@@ -7,30 +7,38 @@
   CAD face's area: on a round face the sum is up to several percent short, and each node's share is not the consistent one. Here
   the shape functions of the curved 8-node face are integrated.
 
-Neither changes what FreeCAD writes for tetrahedra.
+Other meshers' meshes are written as FreeCAD does by itself. What a FreeCAD does not have is left alone.
 """
+import functools
 import math
 
 
-def mend():
-    """Put both in place; again is no harm. Does nothing where FreeCAD's FEM workbench is not installed."""
+def mend(concerned):
+    """Put both in place; again is no harm, the first call counts. Does nothing where FreeCAD's FEM workbench is not installed.
+
+    concerned(mesh object) -> bool: whose meshes are written with the mends.
+    """
     try:
         from femmesh import meshsetsgetter, meshtools
     except ImportError:
         return
-    getter = meshsetsgetter.MeshSetsGetter
-    if not hasattr(getter.get_constraints_heatflux_faces, "mended"):
-        getter.get_constraints_heatflux_faces = _with_hexahedra(getter.get_constraints_heatflux_faces, meshtools)
-    if not hasattr(meshtools.get_ref_facenodes_areas, "mended"):
-        meshtools.get_ref_facenodes_areas = _with_curved_quads(meshtools.get_ref_facenodes_areas)
+    getter = getattr(meshsetsgetter, "MeshSetsGetter", None)
+    for name, mended in (("get_constraints_heatflux_faces", _with_hexahedra), ("get_constraints_force_nodeloads", _with_curved_quads)):
+        original = getattr(getter, name, None)
+        if original is not None and not hasattr(original, "mended"):
+            method = functools.wraps(original)(mended(original, meshtools, concerned))
+            method.mended = True
+            setattr(getter, name, method)
 
 
-def _with_hexahedra(original, meshtools):
-    def get_constraints_heatflux_faces(self):
+def _with_hexahedra(original, meshtools, concerned):
+    def method(self):
         original(self)
+        if not concerned(self.mesh_object) or not self.femmesh.HexaCount:
+            return
         for constraint in self.member.cons_heatflux:
-            table = constraint.get("HeatFluxFaceTable", [])  # FreeCAD 1.1 has another, and finds hexahedra itself
-            if not self.femmesh.HexaCount or any(found for _, found in table):
+            table = constraint.get("HeatFluxFaceTable")  # FreeCAD 1.1 has another, and finds hexahedra itself
+            if not table or any(found for _, found in table):
                 continue
             faces = [shape.Shape.getElement(name) for shape, names in constraint["Object"].References for name in names]
             faces = [face for face in faces if face.ShapeType == "Face"]
@@ -41,21 +49,31 @@ def _with_hexahedra(original, meshtools):
                     meshtools.get_bit_pattern_dict(elements, of_node, self.femmesh.getNodesByFace(face)))])
                 for (name, _), face in zip(table, faces)]
 
-    get_constraints_heatflux_faces.mended = True
-    return get_constraints_heatflux_faces
+    return method
 
 
-def _with_curved_quads(original):
-    def get_ref_facenodes_areas(femnodes_mesh, face_table):
-        curved = {face: nodes for face, nodes in face_table.items() if len(nodes) == 8}
-        others = {face: nodes for face, nodes in face_table.items() if len(nodes) != 8}
-        areas = original(femnodes_mesh, others) if others or not curved else []
-        for nodes in curved.values():
-            areas += zip(nodes, areas_of_quad8([femnodes_mesh[node] for node in nodes]))
-        return areas
+def _with_curved_quads(original, meshtools, concerned):
+    def method(self):
+        flat = getattr(meshtools, "get_ref_facenodes_areas", None)
+        if flat is None or not concerned(self.mesh_object):
+            return original(self)
+        meshtools.get_ref_facenodes_areas = functools.partial(_areas, flat)
+        try:
+            return original(self)
+        finally:
+            meshtools.get_ref_facenodes_areas = flat
 
-    get_ref_facenodes_areas.mended = True
-    return get_ref_facenodes_areas
+    return method
+
+
+def _areas(flat, femnodes_mesh, face_table):
+    """FreeCAD's table [(node, area), ...]: of 8-node quads by their shape functions, of other element faces by `flat`."""
+    curved = [nodes for nodes in face_table.values() if len(nodes) == 8]
+    others = {face: nodes for face, nodes in face_table.items() if len(nodes) != 8}
+    areas = flat(femnodes_mesh, others) if others or not curved else []
+    for nodes in curved:
+        areas += zip(nodes, areas_of_quad8([femnodes_mesh[node] for node in nodes]))
+    return areas
 
 
 def areas_of_quad8(points):
