@@ -197,6 +197,10 @@ Path find_path(const BoundaryFit& fit, int region, const InnerCurve& curve, cons
     const double jump = std::abs(s1 - s0);
     return jump > kSkip * fit.options.size && jump > kSkip * (on_part(net.to(g)) - on_part(net.from(g))).norm();
   };
+  const auto ends_at = [&](int g, double s_before) {
+    return end_cost[net.to(g)] >= 0 && !skips(g, s_before, curve.length) &&
+           (any_turn || !opens_flat(fit, net.opposite[g], end_direction, last_h));
+  };
   const auto relax = [&](int g, double c, int from, int count) {
     if (count > kFreeTurns || !inside(g)) return;
     const int n = net.to(g);
@@ -204,8 +208,7 @@ Path find_path(const BoundaryFit& fit, int region, const InnerCurve& curve, cons
     const double d2 = distance(n, s);
     double s0 = 0;
     if (from >= 0) distance(net.from(g), s0);
-    const bool may_end =
-        end_cost[n] >= 0 && !skips(g, s0, curve.length) && (any_turn || !opens_flat(fit, net.opposite[g], end_direction, last_h));
+    const bool may_end = ends_at(g, s0);
     if (!may_end && skips(g, s0, s)) return;
     if (!may_end && (fit.node_taken[n] > 0 || d2 > largest * largest)) return;
     c += kStep + (may_end ? 0 : d2);
@@ -229,8 +232,7 @@ Path find_path(const BoundaryFit& fit, int region, const InnerCurve& curve, cons
     const int g = state % edges, count = state / edges, n = net.to(g);
     double s_before = 0;
     if (before[state] >= 0) distance(net.from(g), s_before);
-    if (end_cost[n] >= 0 && !skips(g, s_before, curve.length) && (any_turn || !opens_flat(fit, net.opposite[g], end_direction, last_h)) &&
-        c + end_cost[n] < goal_cost) {
+    if (ends_at(g, s_before) && c + end_cost[n] < goal_cost) {
       goal = state;
       goal_cost = c + end_cost[n];
     }
@@ -275,6 +277,7 @@ Path find_path(const BoundaryFit& fit, int region, const InnerCurve& curve, cons
 
 Route route_open_curve(const BoundaryFit& fit, int region, const InnerCurve& curve, const std::vector<int>& node_of_vertex) {
   Path path = find_path(fit, region, curve, node_of_vertex, Turns::WithCurve);
+  const std::string why = path.why;
   bool free_turns = false;
   if (path.nodes.empty() && curve.sharp && fit.options.free_turns) {
     // A sheet beside the line takes the flat corners away; all of them are on one side.
@@ -283,7 +286,7 @@ Route route_open_curve(const BoundaryFit& fit, int region, const InnerCurve& cur
     if (path.nodes.empty() || (!other.nodes.empty() && other.cost < path.cost)) path = std::move(other);
     free_turns = !path.nodes.empty();
   }
-  if (path.nodes.empty()) report_given_up(fit, curve, path.why);
+  if (path.nodes.empty()) report_given_up(fit, curve, why);
   return {path.nodes, free_turns};
 }
 

@@ -59,6 +59,14 @@ void connect(SurfaceMesh& mesh) {
     mesh.opposite[k.halfedge] = g;
     mesh.opposite[g] = k.halfedge;
   }
+  // One fan of triangles round each point: all that walks round a point relies on it.
+  std::vector<char> known(mesh.points.size(), 0), walked(n, 0);
+  for (int h = 0; h < n; ++h) {
+    if (walked[h]) continue;
+    if (known[mesh.from(h)]) fail("the surface touches itself in a point", h);
+    known[mesh.from(h)] = 1;
+    for (int g = h; !walked[g]; g = mesh.opposite[SurfaceMesh::prev(g)]) walked[g] = 1;
+  }
 }
 
 double enclosed_volume(const SurfaceMesh& mesh) {

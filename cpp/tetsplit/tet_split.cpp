@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 
 #include "mesh/hex_element.h"
@@ -71,9 +70,9 @@ HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const
     ++report.attempts;
     try {
       context.progress("tet-split", static_cast<double>(attempt) / options.attempts);
-      SizeField field = base.scaled(kLengths[std::min<std::size_t>(attempt, kLengths.size() - 1)]);
-      if (attempt == 1 && best) {
-        field = base;
+      const bool refining = attempt == 1 && best;
+      SizeField field = base.scaled(refining ? 1 : kLengths[std::min<std::size_t>(attempt, kLengths.size() - 1)]);
+      if (refining) {
         field.refine(bad_places(*best, options.good_enough), kFiner);
         if (report.smoothing.min_sj < kTipsForbid) {
           cut.emplace(whole);

@@ -11,18 +11,12 @@
 #include <filesystem>
 #include <fstream>
 
-#include "cad_shapes.h"
+#include "surface_fixtures.h"
 
 using namespace hexfeature;
 using namespace cad_shapes;
 
 namespace {
-SurfaceMesh mesh_of(const CadModel& model, double size) {
-  Context context;
-  SurfaceOptions options;
-  options.size = size;
-  return triangulate(model, options, context);
-}
 int euler(const SurfaceMesh& m) { return m.point_count() - m.triangle_count() / 2; }
 
 /// What holds for every surface mesh of a CAD model.
@@ -143,27 +137,27 @@ TEST_CASE("closed forms, seams and poles: closed, oriented, true normals") {
   for (const auto& c : cases)
     for (const double size : {3.0, 0.8}) {
       const auto model = model_of(c.shape);
-      check_mesh(*model, mesh_of(*model, size), size, c.euler);
+      check_mesh(*model, surface_of(*model, size), size, c.euler);
     }
   for (const auto& c : cases) {
     const auto model = model_of(as_splines(c.shape));
-    check_mesh(*model, mesh_of(*model, 1), 1, c.euler, 0.7);
+    check_mesh(*model, surface_of(*model, 1), 1, c.euler, 0.7);
   }
 }
 
 TEST_CASE("sphere and apex normals are the surface's own") {
   const auto ball = model_of(sphere(3));
-  const SurfaceMesh m = mesh_of(*ball, 1);
+  const SurfaceMesh m = surface_of(*ball, 1);
   for (int h = 0; h < 3 * m.triangle_count(); ++h) CHECK((m.corner_normals[h] - m.points[m.from(h)] / 3).norm() < 1e-9);
   const auto tip = model_of(cone(2, 4));
-  const SurfaceMesh n = mesh_of(*tip, 1);
+  const SurfaceMesh n = surface_of(*tip, 1);
   for (int h = 0; h < 3 * n.triangle_count(); ++h)
     if (tip->face(n.triangle_face[h / 3]).kind == SurfaceKind::Cone) CHECK(n.corner_normals[h].z() == doctest::Approx(1 / std::sqrt(5.0)));
 }
 
 TEST_CASE("dihedral angles of mesh edges are those of the CAD") {
   const auto model = model_of(plate_with_hole());
-  const SurfaceMesh m = mesh_of(*model, 4);
+  const SurfaceMesh m = surface_of(*model, 4);
   for (int h = 0; h < 3 * m.triangle_count(); ++h) {
     const int e = m.halfedge_edge[h];
     if (e > 0 && model->edge(e).sharp) CHECK(m.dihedral(h) == doctest::Approx(EIGEN_PI / 2).epsilon(0.02));
@@ -173,26 +167,26 @@ TEST_CASE("dihedral angles of mesh edges are those of the CAD") {
 
 TEST_CASE("several solids and voids are several shells") {
   const auto hollow = model_of(cut(box(4, 4, 4), moved(sphere(1), 2, 2, 2)));
-  check_mesh(*hollow, mesh_of(*hollow, 1), 1, 4);
+  check_mesh(*hollow, surface_of(*hollow, 1), 1, 4);
   TopoDS_Compound two;
   BRep_Builder builder;
   builder.MakeCompound(two);
   builder.Add(two, box(1, 1, 1));
   builder.Add(two, moved(cylinder(1, 1), 5, 0, 0));
   const auto pair = model_of(two);
-  check_mesh(*pair, mesh_of(*pair, 1), 1, 4);
+  check_mesh(*pair, surface_of(*pair, 1), 1, 4);
 }
 
 TEST_CASE("the mesh is in the working frame") {
   const auto model = model_of(plate_with_hole());
   model->place(Eigen::AngleAxisd(1, Vec3(1, 2, 3).normalized()).toRotationMatrix(), Vec3(20, 15, 4));
-  check_mesh(*model, mesh_of(*model, 4), 4, 0);
+  check_mesh(*model, surface_of(*model, 4), 4, 0);
 }
 
 TEST_CASE("sizes that cannot be") {
   const auto model = model_of(box(4, 3, 2));
-  for (const double size : {0.0, -1.0, std::nan(""), 1e-9, HUGE_VAL}) CHECK_THROWS_AS(mesh_of(*model, size), MeshingError);
-  CHECK(mesh_of(*model, 1e6).triangle_count() == 12);
+  for (const double size : {0.0, -1.0, std::nan(""), 1e-9, HUGE_VAL}) CHECK_THROWS_AS(surface_of(*model, size), MeshingError);
+  CHECK(surface_of(*model, 1e6).triangle_count() == 12);
   Context context;
   context.is_cancelled = [] { return true; };
   SurfaceOptions options;
@@ -201,13 +195,13 @@ TEST_CASE("sizes that cannot be") {
 
 TEST_CASE("the same mesh every time") {
   const auto a = model_of(plate_with_hole()), b = model_of(plate_with_hole());
-  const SurfaceMesh m = mesh_of(*a, 2), n = mesh_of(*b, 2);
+  const SurfaceMesh m = surface_of(*a, 2), n = surface_of(*b, 2);
   CHECK(m.triangles == n.triangles);
   CHECK(m.points == n.points);
 }
 
 TEST_CASE("triangle files: a box in every format becomes 6 planes, 12 edges, 8 corners") {
-  const SurfaceMesh m = mesh_of(*model_of(box(4, 3, 2)), 1);
+  const SurfaceMesh m = surface_of(*model_of(box(4, 3, 2)), 1);
   const std::string paths[] = {write("box.stl", ascii_stl(m)), write("box_binary.stl", binary_stl(m)), write("box.obj", obj(m)),
                                write("box.ply", ply(m, false)), write("box_binary.ply", ply(m, true))};
   for (const std::string& path : paths) {
@@ -239,7 +233,7 @@ TEST_CASE("triangle files: a box in every format becomes 6 planes, 12 edges, 8 c
 }
 
 TEST_CASE("triangle parts: closed creases, projection, normals") {
-  const SurfaceMesh m = mesh_of(*model_of(cylinder(2, 5)), 0.8);
+  const SurfaceMesh m = surface_of(*model_of(cylinder(2, 5)), 0.8);
   const TrianglePart part = read(write("rod.stl", ascii_stl(m)));
   CHECK(part.faces.size() == 3);
   CHECK(part.edges.size() == 2);
@@ -259,11 +253,11 @@ TEST_CASE("triangle parts: closed creases, projection, normals") {
 }
 
 TEST_CASE("triangle files: orientation is repaired, holes and nonsense are said") {
-  SurfaceMesh m = mesh_of(*model_of(box(4, 3, 2)), 3);
+  SurfaceMesh m = surface_of(*model_of(box(4, 3, 2)), 3);
   CHECK(reason(write("hole.stl", ascii_stl(m, 0))).find("3 open edges") != std::string::npos);
   for (std::size_t t = 0; t < m.triangles.size(); t += 2) std::swap(m.triangles[t][0], m.triangles[t][1]);
   CHECK(enclosed_volume(read(write("mixed.stl", ascii_stl(m))).mesh) == doctest::Approx(24));
-  const SurfaceMesh hollow = mesh_of(*model_of(cut(box(4, 4, 4), moved(box(2, 2, 2), 1, 1, 1))), 4);
+  const SurfaceMesh hollow = surface_of(*model_of(cut(box(4, 4, 4), moved(box(2, 2, 2), 1, 1, 1))), 4);
   SurfaceMesh inside = hollow;
   for (auto& t : inside.triangles) std::swap(t[0], t[1]);
   CHECK(enclosed_volume(read(write("hollow.stl", ascii_stl(inside))).mesh) == doctest::Approx(56));
@@ -281,4 +275,18 @@ TEST_CASE("triangle files: orientation is repaired, holes and nonsense are said"
     CHECK_FALSE(reason(write("cut.ply", ply_text.substr(0, static_cast<std::size_t>(part * ply_text.size())))).empty());
   }
   std::filesystem::remove_all(std::filesystem::temp_directory_path() / "hexfeature_surface_test");
+}
+
+TEST_CASE("a surface that touches itself in a point is refused") {
+  // Two tetrahedra with one point in common.
+  SurfaceMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
+  mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {0, 4, 5}, {0, 6, 4}, {0, 5, 6}, {4, 6, 5}};
+  try {
+    connect(mesh);
+    FAIL("accepted");
+  } catch (const MeshingError& error) {
+    CHECK(error.kind == Failure::BadInput);
+    CHECK(error.reason.find("point") != std::string::npos);
+  }
 }

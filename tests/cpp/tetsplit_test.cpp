@@ -5,10 +5,9 @@
 #include <cmath>
 #include <random>
 
-#include "cad_shapes.h"
 #include "mesh/hex_element.h"
 #include "quality/topology.h"
-#include "surface/surface.h"
+#include "surface_fixtures.h"
 #include "tetsplit/relief.h"
 #include "tetsplit/remesh.h"
 #include "tetsplit/size_field.h"
@@ -16,15 +15,9 @@
 #include "tetsplit/tet_split.h"
 
 using namespace hexfeature;
+using cad_shapes::surface_of;
 
 namespace {
-
-SurfaceMesh surface_of(const CadModel& model, double size) {
-  Context context;
-  SurfaceOptions options;
-  options.size = size;
-  return triangulate(model, options, context);
-}
 
 /// Distance of a point from the CAD entity that it says it lies on.
 double off(const CadModel& model, const CadPlace& place, const Vec3& p) {

@@ -18,7 +18,7 @@ def _run():
         import FreeCAD
         import importlib
 
-        module = importlib.import_module(os.environ.get("HEXFEATURE_GUI_MODULE", "test_workbench"))
+        module = importlib.import_module(os.environ.get("HEXFEATURE_GUI_MODULE", "gui_test"))
         print("FreeCAD", ".".join(FreeCAD.Version()[:3]), "Python", sys.version.split()[0], flush=True)
         code = module.run()
     except BaseException:

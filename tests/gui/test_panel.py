@@ -1,0 +1,208 @@
+# HexFeatureWB - LGPL-2.1-or-later
+"""The task panel: preview, meshing, Cancel, failures, what can be selected."""
+
+
+import driver
+import FreeCAD
+import FreeCADGui
+import make_parts
+from driver import child, live, picture, wait_until
+from gui_test import GuiTest
+
+import HexFeatureWB
+from HexFeatureWB import mesh_object
+from HexFeatureWB.gui import messages, selection, task_panel
+
+
+class TestTaskPanel(GuiTest):
+    def test_from_the_selection_to_the_mesh(self):
+        document, part = driver.show_part(make_parts.connecting_rod(), "ConnectingRod")
+        panel = self.open_panel(part)
+        wait_until(lambda: not panel.preview.busy)
+        self.assertGreater(len(panel.preview.stage["arcs"]), 20)
+        self.assertFalse(part.ViewObject.Visibility)  # its coloured picture stands there
+        driver.say("preview of the connecting rod: %.2f s" % panel.preview.seconds)
+        picture("panel-preview")
+        before = panel.estimate.text()
+        child(panel.form, "size_slider").setValue(panel.slider.value() + 25)
+        self.assertNotEqual(panel.estimate.text(), before)
+        size = panel.size.value()
+        wait_until(lambda: not panel.preview.busy)
+        child(panel.form, "mesh_button").click()
+        self.assertFalse(panel.mesh_button.isEnabled())
+        wait_until(lambda: panel.job is None)
+        mesh = panel.mesh
+        self.assertEqual(mesh.FemMesh.HexaCount, mesh.HexCount)
+        self.assertAlmostEqual(float(mesh.ElementSize.Value), size)
+        self.assertIn(messages.number(mesh.HexCount), panel.state.text())
+        self.assertLess(abs(mesh.HexCount - panel.estimated_count()) / mesh.HexCount, 0.5)
+        self.assertTrue(panel.log.toPlainText())
+        picture("panel-meshed")
+        panel.reject()
+        self.assertFalse(FreeCADGui.Control.activeDialog())
+        self.assertFalse(part.ViewObject.Visibility)
+        self.assertTrue(mesh.ViewObject.Visibility)
+
+    def test_the_preview_shows_first_labels_while_they_are_repaired(self):
+        document, part = driver.show_part(make_parts.pipe_tee())
+        panel = self.open_panel(part)
+        panel.preview.pause()
+        shown = []
+        ready = panel.preview._ready
+        panel.preview._ready = lambda job: (ready(job), shown.append((panel.preview.final, list(panel.preview.stage["label"]))))
+        panel.size.set_value(3.0)
+        panel.preview._poll.setInterval(1)
+        wait_until(lambda: not panel.preview.busy)
+        self.assertTrue(shown[-1][0])
+        if len(shown) > 1:  # on a fast machine the repair may be over before anyone has looked
+            self.assertFalse(shown[0][0])
+            self.assertNotEqual(shown[0][1], shown[1][1])
+
+    def test_cancel_at_any_step(self):
+        document, part = driver.show_part(make_parts.crank_shaft())
+        panel = self.open_panel(part)
+        panel.size.set_value(2.0)
+        wait_until(lambda: not panel.preview.busy)
+        names = [o.Name for o in document.Objects]
+        cancelled_in, longest = set(), 0
+        for patience in (0.02, 0.3, 0.8, 1.5, 3.0):
+            child(panel.form, "mesh_button").click()
+            live(patience)
+            job = panel.job
+            if job is None:
+                break
+            if patience == 3.0:
+                picture("panel-running")
+            cancelled_in.add(job.step)
+            child(panel.form, "cancel_button").click()
+            longest = max(longest, wait_until(lambda: panel.job is None))
+            self.assertEqual(job.error.kind, "cancelled")
+            self.assertEqual([o.Name for o in document.Objects], names)
+            self.assertTrue(panel.mesh_button.isEnabled())
+            wait_until(lambda: not panel.preview.busy)
+        driver.say("cancelled in %s; longest answer %.2f s" % (sorted(cancelled_in), longest))
+        self.assertGreater(len(cancelled_in), 1)
+        picture("panel-cancelled")
+
+    def test_closing_the_panel_leaves_nothing_behind(self):
+        document, part = driver.show_part(make_parts.box())
+        graph = FreeCADGui.ActiveDocument.ActiveView.getSceneGraph()
+        children = graph.getNumChildren()
+        panel = self.open_panel(part)
+        wait_until(lambda: not panel.preview.busy)
+        child(panel.form, "mesh_button").click()
+        panel.reject()
+        live(0.3)
+        self.assertEqual(graph.getNumChildren(), children)
+        self.assertEqual(len(document.Objects), 1)
+        self.assertTrue(part.ViewObject.Visibility)
+
+    def test_a_failure_says_why_and_shows_the_faces(self):
+        document, part = driver.show_part(make_parts.bracket())
+        panel = self.open_panel(part)
+        wait_until(lambda: not panel.preview.busy)
+        panel.size.set_value(1e4)
+        wait_until(lambda: not panel.preview.busy)
+        self.assertIn("larger than the part", panel.preview_text.text())
+        child(panel.form, "mesh_button").click()
+        wait_until(lambda: panel.job is None)
+        self.assertIn("larger than the part", panel.state.text())
+        self.assertIn("Try:", panel.state.text())
+        error = HexFeatureWB.MeshingError("labels: made for the test")
+        error.kind, error.step, error.cad_faces = "no_mesh", "labels", [3, 7]
+        error.reason, error.hint = "the faces meet at a knife edge", "thicken the part there or leave the edge out"
+        panel._failed(error)
+        selected = FreeCADGui.Selection.getSelectionEx()[0].SubElementNames
+        self.assertEqual(sorted(selected), ["Face3", "Face7"])
+        self.assertTrue(part.ViewObject.Visibility)
+        picture("panel-failed")
+
+    def test_a_mesh_that_freecad_cannot_take_is_a_failure(self):
+        from HexFeatureWB import fem_mesh
+        from HexFeatureWB.gui import run
+
+        class NoRoom(fem_mesh.FemMeshBuilder):
+            def __init__(self, result):
+                raise RuntimeError("no room")
+
+        class HalfRoom(fem_mesh.FemMeshBuilder):
+            CHUNK = 50
+
+            def _chunks(self, *arrays):
+                yield next(super()._chunks(*arrays))
+                raise MemoryError
+
+        document, part = driver.show_part(make_parts.box())
+        panel = self.open_panel(part)
+        panel.size.set_value(5.0)
+        wait_until(lambda: not panel.preview.busy)
+        try:
+            for builder, said in ((NoRoom, "no room"), (HalfRoom, "MemoryError")):
+                run.FemMeshBuilder = builder
+                child(panel.form, "mesh_button").click()
+                job = panel.job
+                wait_until(lambda: panel.job is None, 30)
+                self.assertEqual((job.result, job.error.kind, job.error.step), (None, "no_mesh", "build"))
+                self.assertIn(said, panel.state.text())
+                self.assertEqual(document.Objects, [part])
+        finally:
+            run.FemMeshBuilder = fem_mesh.FemMeshBuilder
+        child(panel.form, "mesh_button").click()
+        wait_until(lambda: panel.job is None)
+        self.assertEqual(panel.mesh.FemMesh.VolumeCount, 80)
+
+    def test_a_body_a_link_and_one_solid_of_a_compound(self):
+        import Part
+
+        document = FreeCAD.newDocument("Kinds")
+        body = document.addObject("PartDesign::Body", "Body")
+        box = document.addObject("PartDesign::AdditiveBox", "Box")
+        body.addObject(box)
+        link = document.addObject("App::Link", "Link")
+        link.LinkedObject = body
+        pair = document.addObject("Part::Feature", "Pair")
+        other = make_parts.box()
+        other.translate(FreeCAD.Vector(0, 50, 0))
+        pair.Shape = Part.makeCompound([make_parts.box(), other])
+        document.recompute()
+        for obj in (body, link):
+            self.assertGreater(self.mesh(obj, 5).HexCount, 7)
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(document.Name, pair.Name, "Face8")
+        live(0.5)
+        driver.action("Hex mesh from solid").trigger()
+        panel = task_panel.current
+        self.assertEqual(panel.solid.currentIndex(), 2)
+        panel.size.set_value(5)
+        child(panel.form, "mesh_button").click()
+        wait_until(lambda: panel.job is None)
+        mesh = panel.mesh
+        names = {mesh.FemMesh.getGroupName(g) for g in mesh.FemMesh.Groups}
+        self.assertTrue({"Face7", "Face12", "Solid2"} <= names)
+        self.assertFalse({"Face1", "Solid1"} & names)
+
+    def test_what_a_selected_container_stands_for(self):
+        document = FreeCAD.newDocument("Container")
+        container = document.addObject("App::Part", "Assembly")
+        box = document.addObject("Part::Box", "Box")
+        container.addObject(box)
+        document.recompute()
+        FreeCADGui.Selection.addSelection(container)
+        live()
+        self.assertEqual(selection.parts(), [(box, 0)])
+        self.assertGreater(self.mesh(container, 5).HexCount, 7)
+
+    def test_double_click_edits(self):
+        document, part = driver.show_part(make_parts.box())
+        mesh = self.mesh(part, 5)
+        count = mesh.HexCount
+        FreeCADGui.ActiveDocument.setEdit(mesh, 0)
+        live()
+        panel = task_panel.current
+        self.assertIs(panel.mesh, mesh)
+        panel.size.set_value(2.5)
+        child(panel.form, "mesh_button").click()
+        wait_until(lambda: panel.job is None)
+        self.assertEqual(mesh.HexCount, 8 * count)
+        self.assertFalse(mesh.NeedsRefresh)
+        self.assertEqual(len([o for o in document.Objects if mesh_object.is_hex_mesh(o)]), 1)
