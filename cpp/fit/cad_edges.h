@@ -43,6 +43,9 @@ class FlatCurve {
   std::vector<double> s_;
 };
 
+/// Whether CAD edge `e` is to be followed with any turns: FitOptions::insisted.
+bool is_insisted(const BoundaryFit& fit, int e);
+
 /// Log line: the curve stays without mesh edges of its own, and why.
 void report_given_up(const BoundaryFit& fit, const InnerCurve& curve, const std::string& why);
 

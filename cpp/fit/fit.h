@@ -15,6 +15,7 @@ struct FitOptions {
   bool smooth_edges = true;   ///< also follow tangent CAD edges where a cheap path exists
   bool free_turns = false;    ///< a sharp CAD edge that no path follows otherwise may be followed by one that turns where the curve does
                               ///< not: the quads there have flat corners until a sheet takes these away (find_sheet_groups)
+  std::vector<int> insisted;  ///< CAD edges (1-based, sorted), sharp or not, that may be followed by a path with any turns to both sides
   std::vector<int> released;  ///< CAD edges (1-based, sorted) that need not be followed where they run inside a chart
 };
 

@@ -6,13 +6,16 @@
 
 namespace hexfeature {
 
+bool is_insisted(const BoundaryFit& fit, int e) { return std::binary_search(fit.options.insisted.begin(), fit.options.insisted.end(), e); }
+
 std::vector<InnerCurve> collect_inner_curves(const BoundaryFit& fit) {
   const SurfaceMesh& mesh = fit.mesh;
   const auto wanted_edge = [&](int h) {
     if (fit.border_of[h] >= 0) return 0;
     const int e = followed_edge(mesh, fit.geometry, h);
     if (std::binary_search(fit.options.released.begin(), fit.options.released.end(), e)) return 0;
-    return e > 0 && (fit.geometry.edge(e).sharp || fit.options.smooth_edges) ? e : 0;
+    if (e <= 0) return 0;
+    return fit.geometry.edge(e).sharp || fit.options.smooth_edges || is_insisted(fit, e) ? e : 0;
   };
   std::vector<char> on_chain(mesh.point_count(), 0);
   for (const Chain& chain : fit.chains)

@@ -16,7 +16,8 @@ constexpr double kSharpRms = 1.3, kSmoothRms = 0.9;          ///< root mean squa
 constexpr double kSharpLargest = 2.2, kSmoothLargest = 1.3;  ///< largest distance of a path that is too dear
 /// With free turns: a quarter of a circle becomes two sides of a square, whose corner is far from it where it has many elements.
 constexpr double kFreeRms = 4, kFreeLargest = 7, kFreeTurn = 2;
-constexpr int kFreeTurns = 2;  ///< ... and a half circle three
+constexpr int kFreeTurns = 2;      ///< ... and a half circle three
+constexpr int kInsistedTurns = 6;  ///< ... where no mesh without is faithful
 /// A path may only turn where the curve turns at least so much within an element: the corner that the turn puts there opens to 180
 /// degrees less that turn. Losing a sharp edge is worse than a poor corner.
 constexpr double kSharpTurn = 14 * EIGEN_PI / 180, kSmoothTurn = 30 * EIGEN_PI / 180;
@@ -133,7 +134,12 @@ void report_given_up(const BoundaryFit& fit, const InnerCurve& curve, const std:
 namespace {
 
 /// Where a path may turn and set out.
-enum class Turns { WithCurve, Left, Right };  ///< no corner becomes flat; or turns to this side wherever: the quads there have flat corners
+enum class Turns {
+  WithCurve,  ///< only as the curve does: no corner becomes flat
+  Left,
+  Right,  ///< to this side wherever: the quads there have flat corners
+  Any     ///< to both
+};
 
 struct Path {
   std::vector<int> nodes;  ///< empty: none
@@ -143,6 +149,7 @@ struct Path {
 
 Path find_path(const BoundaryFit& fit, int region, const InnerCurve& curve, const std::vector<int>& node_of_vertex, Turns turns) {
   const bool any_turn = turns != Turns::WithCurve;
+  const int most_turns = turns == Turns::WithCurve ? 0 : turns == Turns::Any ? kInsistedTurns : kFreeTurns;
   const QuadNet& net = fit.net;
   const FlatCurve flat(fit, curve);
   const auto give_up = [&](const std::string& why) { return Path{{}, 0, why}; };
@@ -187,7 +194,7 @@ Path find_path(const BoundaryFit& fit, int region, const InnerCurve& curve, cons
   // little for each step.
   constexpr double kStep = 0.02;
   const int edges = static_cast<int>(net.opposite.size());
-  std::vector<double> cost((any_turn ? kFreeTurns + 1 : 1) * net.opposite.size(), 1e300);
+  std::vector<double> cost((most_turns + 1) * net.opposite.size(), 1e300);
   std::vector<int> before(cost.size(), -1);
   using Item = std::pair<double, int>;
   std::priority_queue<Item, std::vector<Item>, std::greater<Item>> queue;
@@ -202,7 +209,7 @@ Path find_path(const BoundaryFit& fit, int region, const InnerCurve& curve, cons
            (any_turn || !opens_flat(fit, net.opposite[g], end_direction, last_h));
   };
   const auto relax = [&](int g, double c, int from, int count) {
-    if (count > kFreeTurns || !inside(g)) return;
+    if (count > most_turns || !inside(g)) return;
     const int n = net.to(g);
     double s;
     const double d2 = distance(n, s);
@@ -245,8 +252,8 @@ Path find_path(const BoundaryFit& fit, int region, const InnerCurve& curve, cons
     const double turn = flat.turn_at(s);
     const double price = any_turn ? kFreeTurn : 0.5 * std::max(0.0, 1.5708 - std::abs(turn));
     const double least_turn = curve.sharp ? kSharpTurn : kSmoothTurn;
-    if (any_turn ? turns == Turns::Left : turn > least_turn) relax(left, c + price, state, count + any_turn);
-    if (any_turn ? turns == Turns::Right : turn < -least_turn) relax(right, c + price, state, count + any_turn);
+    if (any_turn ? turns != Turns::Right : turn > least_turn) relax(left, c + price, state, count + any_turn);
+    if (any_turn ? turns != Turns::Left : turn < -least_turn) relax(right, c + price, state, count + any_turn);
   }
   if (goal < 0) return give_up("no path without a flat corner");
   std::vector<int> path{net.to(goal % edges)};
@@ -279,11 +286,14 @@ Route route_open_curve(const BoundaryFit& fit, int region, const InnerCurve& cur
   Path path = find_path(fit, region, curve, node_of_vertex, Turns::WithCurve);
   const std::string why = path.why;
   bool free_turns = false;
-  if (path.nodes.empty() && curve.sharp && fit.options.free_turns) {
-    // A sheet beside the line takes the flat corners away; all of them are on one side.
+  const bool insisted = std::any_of(curve.halfedges.begin(), curve.halfedges.end(),
+                                    [&](int h) { return is_insisted(fit, followed_edge(fit.mesh, fit.geometry, h)); });
+  if (path.nodes.empty() && fit.options.free_turns && (curve.sharp || insisted)) {
+    // A sheet beside the line takes the flat corners away; if it can be, all of them on one side.
     path = find_path(fit, region, curve, node_of_vertex, Turns::Left);
     Path other = find_path(fit, region, curve, node_of_vertex, Turns::Right);
     if (path.nodes.empty() || (!other.nodes.empty() && other.cost < path.cost)) path = std::move(other);
+    if (path.nodes.empty() && insisted) path = find_path(fit, region, curve, node_of_vertex, Turns::Any);
     free_turns = !path.nodes.empty();
   }
   if (path.nodes.empty()) report_given_up(fit, curve, why);

@@ -18,11 +18,15 @@ constexpr double kGoodEnough = 0.5;
 /// With another method to come, elements of all the meshes of one labelling that stay inverted before it is given up.
 constexpr int kVainWork = 15000;
 
+/// A mesh that lost this much (Worth::lost) is not mended by a few lines more.
+constexpr double kHopeless = 0.2;
+
 /// What the meshes of one labelling came to so far.
 struct Trials {
   Worth worth;        ///< of the last one kept; nothing is known of those with inverted elements
   int vain = 0;       ///< elements of all those that stayed inverted
   bool once = false;  ///< one that stays inverted is not tried with fewer sheets
+  int most = 6;       ///< choices of sheets tried
 };
 
 std::vector<int> cad_faces_of(const FeatureShape& shape, const std::vector<int>& charts) {
@@ -94,7 +98,6 @@ bool is_better(const SmoothReport& a, const Worth& worth_a, const SmoothReport& 
 HexComplex smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shape, const SolidTask& task, Trials& trials) {
   Run& run = task.run;
   const Geometry& geometry = task.part.geometry();
-  constexpr int kTrials = 6;
   SmoothOptions smoothing;
   smoothing.size = run.options.size;
   smoothing.threads = run.options.threads;
@@ -105,7 +108,7 @@ HexComplex smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shap
 
   HexComplex best;
   std::vector<std::vector<int>> suspects, together;  // names; the next one to leave out last
-  for (int trial = 0; trial < kTrials; ++trial) {
+  for (int trial = 0; trial < trials.most; ++trial) {
     SheetOptions tried = sheets;
     if (trial > 0) {
       if (suspects.empty()) suspects.swap(together);
@@ -192,6 +195,18 @@ std::vector<int> faces_near_inverted(const HexComplex& complex) {
   return {faces.begin(), faces.end()};
 }
 
+/// The CAD edges that a mesh should have followed and did not: the sharp ones it lost, and all borders of the faces it does not cover.
+/// Sorted.
+std::vector<int> edges_to_insist_on(const Worth& worth, const Geometry& geometry) {
+  std::vector<int> edges = worth.lost_edges;
+  for (int e = 1; e <= static_cast<int>(geometry.edges->size()); ++e)
+    for (int f : geometry.edge(e).faces)
+      if (std::find(worth.lost_faces.begin(), worth.lost_faces.end(), f) != worth.lost_faces.end()) edges.push_back(e);
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
 /// Boundary fitting, sheets and smoothing, first with free turns; where elements stay inverted with these, without. Where elements stay
 /// inverted, again without the inner CAD edges beside them, as long as that makes fewer. Throws MeshingError(NoMesh, "smooth") when some
 /// stay.
@@ -204,6 +219,26 @@ HexComplex fit_and_smooth(const HexComplex& lattice, const SurfaceMesh& mesh, co
   fit.smooth_edges = run.options.capture == "all";
   fit.free_turns = run.options.sheets;
   Trials trials;
+  // A mesh that is not faithful: once more, with paths of any turns for what it lost; kept when it is better.
+  const auto insist = [&](HexComplex& complex, const Trials& so_far) {
+    FitOptions stubborn = fit;
+    stubborn.insisted = edges_to_insist_on(so_far.worth, geometry);
+    HexComplex other = lattice;
+    run.begin("fit");
+    const SheetReport sheets = run.result.sheets;
+    const SmoothReport smoothing = run.result.smoothing;
+    fit_boundary(other, mesh, shape, geometry, stubborn, run.context);
+    Trials insisted;
+    insisted.once = true;
+    insisted.most = 2;
+    other = smooth_with_sheets(other, shape, task, insisted);
+    if (is_better(run.result.smoothing, insisted.worth, smoothing, so_far.worth)) {
+      complex = std::move(other);
+      return;
+    }
+    run.result.sheets = sheets;
+    run.result.smoothing = smoothing;
+  };
   for (int round = 1, least = std::numeric_limits<int>::max();; ++round) {
     run.begin("fit");
     HexComplex complex = lattice;
@@ -218,7 +253,10 @@ HexComplex fit_and_smooth(const HexComplex& lattice, const SurfaceMesh& mesh, co
       --round;
       continue;
     }
-    if (inverted == 0) return complex;
+    if (inverted == 0) {
+      if (!trials.worth.faithful && trials.worth.lost < kHopeless && fit.free_turns) insist(complex, trials);
+      return complex;
+    }
     std::vector<int> released = fit.released;
     for (int e : edges_to_release(complex, geometry)) released.push_back(e);
     const bool vain = run.options.method == "auto" && trials.vain > kVainWork;

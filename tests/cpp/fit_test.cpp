@@ -141,6 +141,34 @@ TEST_CASE("a tangent CAD edge across charts gets a lattice line, and quads do no
   }
 }
 
+TEST_CASE("a tangent CAD edge aslant over the lattice is followed when the caller insists, with turns") {
+  VoxelPart part;
+  make_part(part, box({0, 0, 0}, {8, 8, 2}), 4, 1, straight,
+            [](Label l, const Vec3& c) { return l + (l == 4 && c.y() > 2 + 0.5 * c.x() ? 10 : 0); });
+  REQUIRE(part.faces.size() == 7);
+  int inner = 0;  // the CAD edge between the two halves of the top
+  for (std::size_t e = 0; e < part.edges.size(); ++e) {
+    const auto& f = part.edges[e].faces;
+    if (f[0] != f[1] && !part.edges[e].sharp) inner = static_cast<int>(e) + 1;
+  }
+  REQUIRE(inner > 0);
+  const auto followed_by = [&](const std::vector<int>& insisted, int& turned) {
+    HexComplex mesh = part.lattice;
+    FitOptions options;
+    options.size = 1;
+    options.free_turns = true;
+    options.insisted = insisted;
+    Context context;
+    turned = fit_boundary(mesh, part.surface.mesh, part.shape, part.geometry(), options, context);
+    return std::count(mesh.feature_edge_cad.begin(), mesh.feature_edge_cad.end(), inner);
+  };
+  int turned = 0;
+  CHECK(followed_by({}, turned) == 0);
+  CHECK(turned == 0);
+  CHECK(followed_by({inner}, turned) >= 8);
+  CHECK(turned == 1);
+}
+
 TEST_CASE("a closed CAD edge inside a chart gets a loop of mesh edges") {
   VoxelPart part;
   make_part(part, box({0, 0, 0}, {6, 6, 2}), 4, 1, straight,
