@@ -19,6 +19,7 @@ constexpr double kOrderCost = 20;         // an order violated by one interval, 
 constexpr double kOrderCostMany = 70;     // ... or many
 constexpr double kSeparationCost = 1000;  // above anything else: the fill has shown that it is needed
 constexpr double kIntervalWishCost = 5;   // an arc without the intervals its bends ask for
+constexpr double kShortestPiece = 0.5;    // of an arc, in h, that a mesh edge of its own is wished for
 constexpr double kPiecesCost = 20;        // a sharp CAD edge inside a chart without a line of its own
 constexpr double kPositionCost = 0.02, kPositionCostLarge = 0.05;
 constexpr double kTieBreak = 0.01;      // a target of n + 1/2 goes up everywhere
@@ -78,12 +79,16 @@ std::vector<int> sharp_degrees(const SurfaceMesh& mesh) {
 }
 
 /// Least number of intervals that an arc's shape asks for: chords close to its curve, and nodes where it kinks at a CAD vertex
-/// or where a sharp CAD edge joins or leaves it.
-int wished_intervals(const SurfaceMesh& mesh, const Partition::Edge& edge, const std::vector<int>& sharp_degree, double largest_sag) {
+/// or where a sharp CAD edge joins or leaves it; and where one of its faces ends, since an edge of the mesh lies on one pair of faces
+/// only, unless a piece would be too short.
+int wished_intervals(const SurfaceMesh& mesh, const Partition::Edge& edge, const std::vector<int>& sharp_degree, double size,
+                     double largest_sag) {
   const auto& vertices = edge.vertices;
   const Vec3 &a = mesh.points[vertices.front()], &b = mesh.points[vertices.back()];
   const Vec3 chord = b - a;
-  double sag = 0;
+  const double shortest = kShortestPiece * size;
+  double sag = 0, length = 0, left = 0;  // of the arc, and of its last piece so far
+  for (std::size_t i = 0; i + 1 < vertices.size(); ++i) length += (mesh.points[vertices[i + 1]] - mesh.points[vertices[i]]).norm();
   int stops = 0;
   for (std::size_t i = 1; i + 1 < vertices.size(); ++i) {
     const Vec3& p = mesh.points[vertices[i]];
@@ -92,7 +97,15 @@ int wished_intervals(const SurfaceMesh& mesh, const Partition::Edge& edge, const
     const Vec3 before = p - mesh.points[vertices[i - 1]], after = mesh.points[vertices[i + 1]] - p;
     const bool kink = mesh.place[vertices[i]].dim == 0 && before.dot(after) < std::cos(EIGEN_PI / 6) * before.norm() * after.norm();
     const int own = on_sharp_edge(mesh, edge.halfedges[i - 1]) + on_sharp_edge(mesh, edge.halfedges[i]);
-    if (kink || own == 1 || sharp_degree[vertices[i]] > own) ++stops;
+    left += before.norm();
+    length -= before.norm();
+    const int h = edge.halfedges[i - 1], g = edge.halfedges[i];
+    const bool next_face = mesh.triangle_face[h / 3] != mesh.triangle_face[g / 3] ||
+                           mesh.triangle_face[mesh.opposite[h] / 3] != mesh.triangle_face[mesh.opposite[g] / 3];
+    const bool ends = own == 2 && next_face && left >= shortest && length >= shortest;
+    if (!kink && own != 1 && sharp_degree[vertices[i]] <= own && !ends) continue;
+    ++stops;
+    left = 0;
   }
   // n chords have 1/n^2 of the sag of one.
   return std::max(stops + 1, static_cast<int>(std::ceil(std::sqrt(sag / largest_sag) - 0.05)));
@@ -195,7 +208,7 @@ void Quantizer::add_arcs(const SurfaceMesh& mesh) {
     if (from == to) continue;
     const double t = target(arc.length, options_.size);
     add_convex_terms(list, from, to, t, std::max(1, minimum), [&](int d) { return interval_cost(t, d, options_.arc_curvature); });
-    const int wished = wished_intervals(mesh, shape_.cells.edges[i], sharp_degree, options_.largest_sag * options_.size);
+    const int wished = wished_intervals(mesh, shape_.cells.edges[i], sharp_degree, options_.size, options_.largest_sag * options_.size);
     if (wished > minimum) list.push_back({from, to, wished, std::llround(kTermScale * kIntervalWishCost)});
   }
 }

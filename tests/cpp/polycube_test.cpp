@@ -126,6 +126,29 @@ TEST_CASE("mirrored features get equal counts where rounding is tied") {
   }
 }
 
+TEST_CASE("a sharp arc gets a line where one of its CAD faces ends, unless a piece would be too short") {
+  // The top of a cube, 1.25 h wide, is two CAD faces in one plane.
+  for (const double border : {0.0, 0.75, 1.5}) {
+    auto surface = voxel_surface(box({0, 0, 0}, {3, 3, 3}), 4);
+    SurfaceMesh& mesh = surface.mesh;
+    mesh.triangle_face.assign(mesh.triangle_count(), 0);
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+      Vec3 centre = Vec3::Zero();
+      for (int v : mesh.triangles[t]) centre += mesh.points[v] / 3;
+      const Label l = surface.label[t];
+      mesh.triangle_face[t] = 1 + l + (l == 4 && centre.x() < border ? 6 : 0);
+    }
+    mesh.halfedge_edge.assign(3 * mesh.triangle_count(), 0);
+    for (int h = 0; h < 3 * mesh.triangle_count(); ++h)
+      if (std::abs(mesh.dihedral(h)) > 1) mesh.halfedge_edge[h] = 1;
+    const auto shape = make_feature_shape(surface);
+    const Polycube polycube = solve(surface, 2.4);
+    std::array<int, 2> x{100, -100};
+    for (const auto& corner : polycube.corners) x = {std::min(x[0], corner[0]), std::max(x[1], corner[0])};
+    CHECK(x[1] - x[0] == (border == 1.5 ? 2 : 1));
+  }
+}
+
 TEST_CASE("the same input gives the same polycube") {
   auto surface = voxel_surface(staircase(), 3);
   deform(surface.mesh, [](const Vec3& p) { return Vec3(1.37 * p.x() + 0.1 * p.z(), 0.77 * p.y(), 1.21 * p.z()); });
