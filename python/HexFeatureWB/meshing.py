@@ -120,6 +120,8 @@ def _fill(mesh_obj, progress, cancelled):
         for name in (names[kind](number) for number in range(1, len(items) + 1) if number not in ids[kind]) if name
     ]
     mesh_obj.FeatureLineNodes = fem_mesh.feature_line_nodes(result)
+    if FreeCAD.GuiUp and mesh_obj.ViewObject is not None and mesh_obj.ViewObject.Proxy:
+        mesh_obj.ViewObject.Proxy.expect(result)
     mesh_obj.FemMesh = fem
     mesh_obj.MethodUsed = report["method"]
     mesh_obj.HexCount = report["quality"]["hexes"]

@@ -11,7 +11,7 @@ from driver import child, live, picture
 from gui_test import GuiTest
 from PySide import QtGui
 
-from HexFeatureWB.gui import commands, messages, preferences, settings, task_panel, widgets
+from HexFeatureWB.gui import commands, fem_menu, messages, preferences, settings, task_panel, widgets
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
@@ -80,6 +80,25 @@ class TestCommands(GuiTest):
             self.assertIsNotNone(FreeCADGui.Control.activeDialog() or None, "visited: %s" % visited)
             task_panel.current.reject()
             FreeCAD.closeDocument(document.Name)
+
+    def test_the_users_own_keys_go_before_ours(self):
+        class Window:  # where FreeCAD has no actions of its own for our commands yet
+            def findChild(self, kind, name):
+                return None
+
+        own = FreeCAD.ParamGet(fem_menu.SHORTCUTS)
+        window = FreeCADGui.getMainWindow()
+        bar = child(window, fem_menu.NAME, QtGui.QToolBar)
+        action = child(bar, fem_menu.NAME + "_HexFeature_Export", QtGui.QAction)
+        own.SetString("HexFeature_Export", "Ctrl+Alt+E")
+        try:
+            fem_menu._share_keys(Window(), bar)
+            self.assertEqual(action.shortcut().toString(), "Ctrl+Alt+E")
+        finally:
+            own.RemString("HexFeature_Export")
+        fem_menu._share_keys(Window(), bar)
+        self.assertEqual(action.shortcut().toString(), "H, E")
+        fem_menu._share_keys(window, bar)
 
     def test_preferences_are_the_defaults_of_a_new_mesh(self):
         page = preferences.PreferencesPage()

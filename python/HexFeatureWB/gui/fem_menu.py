@@ -3,6 +3,7 @@
 
 FreeCAD rebuilds menus and toolbars when a workbench is activated and says so by a signal; ours are added after that.
 """
+import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
@@ -11,6 +12,7 @@ from . import commands, messages, settings
 
 FEM = "FemWorkbench"
 NAME = "HexFeature_InFem"
+SHORTCUTS = "User parameter:BaseApp/Preferences/Shortcut"  #: where FreeCAD keeps the user's own keys, by command
 UPDATE = 400  #: ms between two looks at which commands can be used
 
 
@@ -63,11 +65,12 @@ def _action(name, parent):
 
 def _share_keys(window, bar):
     """Our actions have the commands' keys until FreeCAD has actions of its own for them, once our workbench has been visited: the
-    same keys on two actions would do nothing."""
+    same keys on two actions would do nothing. A user's own keys (Tools > Customize) go before ours."""
     for action in bar.actions():
         name = action.objectName()[len(NAME) + 1:]
         freecads = window.findChild(QtGui.QAction, name)
-        action.setShortcut("" if freecads is not None else commands.COMMANDS[name].keys)
+        keys = FreeCAD.ParamGet(SHORTCUTS).GetString(name, commands.COMMANDS[name].keys)
+        action.setShortcut("" if freecads is not None else keys)
 
 
 def _enable(actions):

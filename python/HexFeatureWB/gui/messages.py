@@ -82,6 +82,11 @@ def faces_to_blame(error, names):
     return [name for name in found if name][:20]
 
 
+def given_up(error):
+    """Whether the user has cancelled; a time limit that is reached is a failure of the same kind."""
+    return getattr(error, "kind", "") == "cancelled" and error.reason == "cancelled"
+
+
 def failure_text(error, faces, plain=False):
     """Step, reason, faces and hint of an error, as rich or plain text."""
     reason = getattr(error, "reason", None)

@@ -11,6 +11,8 @@ from . import scene
 
 POLL, PATIENCE = 20, 250  #: ms: looking for the result; waiting for the user to end turning a knob
 
+MESH_COLOUR = (1.0, 0.7, 0.0)  #: as FreeCAD's own meshes
+
 
 class Preview(QtCore.QObject):
     """Draws on the active 3D view of a document; `remove()` takes everything away again.
@@ -41,6 +43,14 @@ class Preview(QtCore.QObject):
         """Compute for these options soon; an older computation is given up."""
         self._next = brep, dict(options, stop_after="shape")
         self._wait.start(PATIENCE)
+
+    def show_mesh(self, points, quads):
+        """Draw the surface of a mesh instead, until the next show() or clear(): FreeCAD takes seconds to make its own picture."""
+        self.clear()
+        if self._graph:
+            points, quads = scene.compact(points, quads)
+            self._root.addChild(scene.faces(points, quads, np.zeros(len(quads), dtype=int), [MESH_COLOUR]))
+            self._root.addChild(scene.lines(points, scene.sides(quads), 1.0))
 
     def remove(self):
         """Take away what is drawn and give up what is computed."""

@@ -66,8 +66,7 @@ class RefreshPanel:
                 "mesh": self.mesh.Label, "number": self.count - len(self.waiting), "count": self.count,
                 "step": messages.step_title(job.step), "seconds": job.seconds})
 
-    def _ended(self, job):
-        error = job.error
+    def _ended(self, job, error):
         if error is None:
             try:
                 record.refresh(self.mesh)
@@ -87,7 +86,7 @@ class RefreshPanel:
             if names:
                 source.ViewObject.Visibility = True
         text = "<b>%s</b><br>%s" % (self.mesh.Label, messages.failure_text(error, names))
-        if getattr(error, "kind", "") == "cancelled":
+        if messages.given_up(error):
             text = tr("cancelled; the old mesh stays")
         self.failed.append(text)
         self.state.setText("<br><br>".join(self.failed))

@@ -11,7 +11,7 @@ from ..source import names_of, shape_to_mesh, solids_of
 from ..translate import tr
 from . import messages, record, settings
 from .preview import Preview
-from .run import Run
+from .run import BUILDING, Run
 from .widgets import Fold, LengthEdit, OptionWidget, nice, number, title_of
 
 STEPS = 200  #: of the slider
@@ -26,7 +26,7 @@ class HexMeshPanel:
     def __init__(self, source, mesh=None, solid=0):
         self.source, self.mesh, self.document = source, mesh, source.Document
         self.run = None
-        self._hidden = None  # the part, while the preview stands in its place
+        self._hidden = []  # views of part and mesh, while the preview stands in their place
         self.form = self._build(mesh.Solid if mesh else solid)
         self.run = Run(self.form, self._looked, self._ended)
         self.preview = Preview(self.document, self._preview_says, self._preview_ready, self.form)
@@ -230,15 +230,15 @@ class HexMeshPanel:
             self._show_part()
 
     def _hide_part(self):
-        """The coloured preview stands in the part's place."""
-        view = self.source.ViewObject
-        if self._hidden is None and view.Visibility:
-            self._hidden = view
-            view.Visibility = False
+        """The coloured preview stands in the place of the part and of its mesh."""
+        for obj in (self.source, self.mesh):
+            if obj is not None and obj.ViewObject.Visibility:
+                self._hidden.append(obj.ViewObject)
+                obj.ViewObject.Visibility = False
 
     def _show_part(self):
-        view, self._hidden = self._hidden, None
-        if view is not None:
+        hidden, self._hidden = self._hidden, []
+        for view in hidden:
             view.Visibility = True
 
     # ---- the run
@@ -249,7 +249,7 @@ class HexMeshPanel:
             return
         FreeCADGui.Selection.clearSelection()
         self.log.clear()
-        self._shown_lines = 0
+        self._shown_lines, self._mesh_drawn = 0, False
         try:
             brep = self._shape().exportBrepToString()
         except meshing.MeshingError as error:
@@ -260,7 +260,7 @@ class HexMeshPanel:
         self._set_running(True)
 
     def cancel(self):
-        """Give the run up. The panel answers at once; the worker ends within 0.2 s."""
+        """Give the run up. The panel can be used again within 0.2 s."""
         if self.job is not None:
             self.run.cancel()
             self.cancel_button.setEnabled(False)
@@ -273,19 +273,23 @@ class HexMeshPanel:
         self.cancel_button.setEnabled(running)
 
     def _looked(self, job):
+        if job.step == BUILDING and not self._mesh_drawn:
+            self._mesh_drawn = True
+            self.preview.show_mesh(job.result.points, job.result.quads)
+            self._hide_part()
         self.bar.setValue(int(1000 * job.fraction))
         if not job.was_cancelled:
             self.state.setText(tr("%(step)s, %(seconds).1f s") % {"step": messages.step_title(job.step), "seconds": job.seconds})
         self._append_log(job)
 
-    def _ended(self, job):
+    def _ended(self, job, error):
         self._append_log(job)
         self._set_running(False)
         self.bar.setValue(0)
-        if job.error is None:
+        if error is None:
             self._take(job)
         else:
-            self._failed(job.error)
+            self._failed(error)
 
     def _append_log(self, job):
         lines = job.lines[self._shown_lines:]
@@ -321,7 +325,7 @@ class HexMeshPanel:
     def _failed(self, error):
         self.preview.clear()
         self._show_part()
-        if getattr(error, "kind", "") == "cancelled":
+        if messages.given_up(error):
             self.state.setText(tr("cancelled; the document is as it was"))
             self._ask_preview()
             return
