@@ -1,7 +1,9 @@
 # HexFeatureWB - LGPL-2.1-or-later
 """Whole tasks: macros that repeat them, a new user's way from a STEP file to stresses, another language."""
 import os
+import re
 import shutil
+import sys
 import tempfile
 import unittest
 
@@ -13,7 +15,9 @@ from driver import child, live, picture, wait_until
 from gui_test import GuiTest
 from PySide import QtGui
 
-from HexFeatureWB.gui import quality_panel, refresh_panel, task_panel
+from HexFeatureWB.gui import messages, quality_panel, refresh_panel, task_panel
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
 
 class TestMacro(GuiTest):
@@ -144,6 +148,25 @@ class TestTried(GuiTest):
 
 
 class TestZGerman(GuiTest):
+    def test_every_message_of_the_core_is_found_with_what_is_put_into_it(self):
+        sys.path.insert(0, os.path.join(ROOT, "packaging"))
+        import core_messages
+
+        FreeCADGui.setLocale("German")
+        try:
+            for text in core_messages.texts(ROOT):
+                words = messages.in_words("the part is damaged: " + re.sub(r"%\d", "12", text))
+                self.assertNotIn(text, words)
+                self.assertTrue(words.startswith("das Teil ist beschädigt: "), words)
+                self.assertEqual(words.count("12"), text.count("%"), words)
+            self.assertEqual(messages.in_words("a line runs from a +X face to itself"),
+                             "eine Linie führt von einer +X-Fläche zu ihr selbst")
+            self.assertEqual(messages.in_words("cannot write '/a/b c.inp': Permission denied"),
+                             "'/a/b c.inp' lässt sich nicht schreiben: Permission denied")
+            self.assertEqual(messages.in_words("what nobody knows: 12"), "what nobody knows: 12")
+        finally:
+            FreeCADGui.setLocale("English")
+
     def test_the_panel_speaks_german(self):
         FreeCADGui.setLocale("German")
         try:
@@ -152,6 +175,12 @@ class TestZGerman(GuiTest):
             wait_until(lambda: not panel.preview.busy)
             self.assertEqual(panel.mesh_button.text(), "Vernetzen")
             picture("panel-german")
+            panel.size.set_value(1e4)
+            wait_until(lambda: not panel.preview.busy)
+            child(panel.form, "mesh_button").click()
+            wait_until(lambda: panel.job is None)
+            self.assertIn("die Elementgröße ist größer als das Teil", panel.state.text())
+            self.assertIn("Länge des Teils von ", panel.state.text())
             panel.reject()
         finally:
             FreeCADGui.setLocale("English")

@@ -7,7 +7,7 @@ import FreeCADGui
 
 from ..job import Job
 from ..models import AXIS_COLOURS, LABEL_COLOURS
-from . import scene
+from . import messages, scene
 
 POLL, PATIENCE = 20, 250  #: ms: looking for the result; waiting for the user to end turning a knob
 
@@ -110,8 +110,7 @@ class Preview(QtCore.QObject):
         if job.error is not None:
             self.stage = None
             self._draw()
-            reason = getattr(job.error, "reason", str(job.error))
-            self._said(reason)
+            self._said(messages.in_words(getattr(job.error, "reason", str(job.error))))
         else:
             self.seconds = job.seconds
             self._show_result(job.result, final=True)

@@ -10,7 +10,7 @@ from ..job import Job
 
 POLL = 50  #: ms between two looks at the worker
 POLL_CANCELLED = 5  #: ms, once it has been cancelled
-PATIENCE = 0.2  #: s that a cancelled worker is waited for; a later one is left to end by itself
+PATIENCE = 0.1  #: s that a cancelled worker is waited for; a later one is left to end by itself
 SLICE = 0.1  #: s of building between two looks at the window
 BUILDING = "build"  #: the step's name
 

@@ -203,7 +203,7 @@ class HexMeshPanel:
         try:
             self.preview.show(self._shape().exportBrepToString(), self.chosen())
         except meshing.MeshingError as error:
-            self._preview_says(error.reason)
+            self._preview_says(messages.in_words(error.reason))
 
     def _preview_switched(self):
         self.preview.set_parts(self.show_lines.isChecked(), self.show_labels.isChecked())
@@ -260,7 +260,7 @@ class HexMeshPanel:
         self._set_running(True)
 
     def cancel(self):
-        """Give the run up. The panel can be used again within 0.2 s."""
+        """Give the run up. The panel can be used again at once."""
         if self.job is not None:
             self.run.cancel()
             self.cancel_button.setEnabled(False)
