@@ -4,10 +4,10 @@
   <context>
     <name>HexFeature</name>
     <message>
-      <source>%(count)s hexahedra in %(seconds).1f s by %(method)s
+      <source>%(count)s hexahedra in %(seconds).1f s (%(method)s)
 scaled Jacobian: worst %(worst).3f, mean %(mean).3f</source>
-      <translation>%(count)s Hexaeder in %(seconds).1f s mit %(method)s
-skalierte Jacobi-Determinante: schlechteste %(worst).3f, Mittel %(mean).3f</translation>
+      <translation>%(count)s Hexaeder in %(seconds).1f s (%(method)s)
+skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translation>
     </message>
     <message>
       <source>%(mesh)s (%(number)d of %(count)d): %(step)s, %(seconds).1f s</source>
@@ -167,7 +167,7 @@ skalierte Jacobi-Determinante: schlechteste %(worst).3f, Mittel %(mean).3f</tran
     </message>
     <message>
       <source>Edges to follow</source>
-      <translation>Kanten, denen gefolgt wird</translation>
+      <translation>Kanten im Netz</translation>
     </message>
     <message>
       <source>Element order</source>
@@ -190,16 +190,16 @@ skalierte Jacobi-Determinante: schlechteste %(worst).3f, Mittel %(mean).3f</tran
       <translation>Elemente nach skalierter Jacobi-Determinante, von 0 (links) bis 1; die Höhe ist die Wurzel der Anzahl</translation>
     </message>
     <message>
-      <source>Elements through a thickness, at least</source>
-      <translation>Elemente durch die Dicke, mindestens</translation>
-    </message>
-    <message>
       <source>Export mesh</source>
       <translation>Netz exportieren</translation>
     </message>
     <message>
       <source>Faces to look at (selected in the view): %s</source>
       <translation>Zu prüfende Flächen (in der Ansicht ausgewählt): %s</translation>
+    </message>
+    <message>
+      <source>Farthest from the CAD</source>
+      <translation>Größter Abstand vom CAD</translation>
     </message>
     <message>
       <source>Feature lines</source>
@@ -250,8 +250,8 @@ skalierte Jacobi-Determinante: schlechteste %(worst).3f, Mittel %(mean).3f</tran
       <translation>Richtungen</translation>
     </message>
     <message>
-      <source>Largest distance from the CAD</source>
-      <translation>Größter Abstand vom CAD</translation>
+      <source>Layers, at least</source>
+      <translation>Schichten, mindestens</translation>
     </message>
     <message>
       <source>Log</source>
@@ -288,6 +288,10 @@ skalierte Jacobi-Determinante: schlechteste %(worst).3f, Mittel %(mean).3f</tran
     <message>
       <source>Mesh the selected solid with hexahedra: choose the element size, see the feature lines, mesh</source>
       <translation>Den gewählten Körper mit Hexaedern vernetzen: Elementgröße wählen, Merkmalslinien sehen, vernetzen</translation>
+    </message>
+    <message>
+      <source>Mesh with these options (Ctrl+Return)</source>
+      <translation>Mit diesen Optionen vernetzen (Strg+Eingabe)</translation>
     </message>
     <message>
       <source>Method</source>
@@ -662,8 +666,8 @@ skalierte Jacobi-Determinante: schlechteste %(worst).3f, Mittel %(mean).3f</tran
       <translation>Richtungen finden</translation>
     </message>
     <message>
-      <source>first: 8 nodes</source>
-      <translation>erste: 8 Knoten</translation>
+      <source>first (8 nodes)</source>
+      <translation>erste (8 Knoten)</translation>
     </message>
     <message>
       <source>fitting to the part</source>
@@ -720,6 +724,10 @@ skalierte Jacobi-Determinante: schlechteste %(worst).3f, Mittel %(mean).3f</tran
     <message>
       <source>labels</source>
       <translation>Richtungen</translation>
+    </message>
+    <message>
+      <source>larger than the part</source>
+      <translation>größer als das Teil</translation>
     </message>
     <message>
       <source>layers under smooth borders</source>
@@ -826,8 +834,8 @@ skalierte Jacobi-Determinante: schlechteste %(worst).3f, Mittel %(mean).3f</tran
       <translation>skalierte Jacobi-Det.</translation>
     </message>
     <message>
-      <source>second: 20 nodes, for stresses</source>
-      <translation>zweite: 20 Knoten, für Spannungen</translation>
+      <source>second (20 nodes)</source>
+      <translation>zweite (20 Knoten)</translation>
     </message>
     <message>
       <source>seconds for the whole run; 0 sets no limit</source>

@@ -166,6 +166,8 @@ class TestModels(GuiTest):
         driver.action("Show feature lines").trigger()
         lines = document.getObject("FeatureLines")
         self.assertGreater(len(lines.Shape.Edges), 12)
+        long = max(edge.Length for edge in part.Shape.Edges)
+        self.assertAlmostEqual(max(edge.Length for edge in lines.Shape.Edges), long, places=6)  # a straight line is one edge
         FreeCADGui.Selection.clearSelection()
         FreeCADGui.Selection.addSelection(part)
         driver.action("Show recognition model").trigger()

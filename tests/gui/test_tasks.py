@@ -170,6 +170,12 @@ class TestZGerman(GuiTest):
     def test_the_panel_speaks_german(self):
         FreeCADGui.setLocale("German")
         try:
+            live(0.3)
+            self.assertEqual(self.menus()[-3], "Hex mesh")  # until the workbench is visited again
+            FreeCADGui.activateWorkbench("PartWorkbench")
+            FreeCADGui.activateWorkbench("FemWorkbench")
+            live(0.3)
+            self.assertEqual(self.menus()[-3], "Hexaedernetz")
             document, part = driver.show_part(make_parts.box())
             panel = task_panel.open_panel(part)
             wait_until(lambda: not panel.preview.busy)

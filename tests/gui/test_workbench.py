@@ -7,7 +7,7 @@ import driver
 import FreeCAD
 import FreeCADGui
 import make_parts
-from driver import child, live, picture
+from driver import child, live, picture, wait_until
 from gui_test import GuiTest
 from PySide import QtGui
 
@@ -26,7 +26,7 @@ class TestCommands(GuiTest):
         self.assertTrue(bar.isVisible())
         texts = [a.text() for a in bar.actions()]
         self.assertEqual(len(texts), 7)
-        self.assertIn("Hex mesh", [a.text().replace("&", "") for a in window.menuBar().actions()])
+        self.assertEqual(self.menus().count("Hex mesh"), 1)
         enabled = {a.text(): a.isEnabled() for a in bar.actions()}
         self.assertTrue(enabled["Hex mesh from solid"])
         self.assertFalse(enabled["Mesh quality"])
@@ -36,11 +36,16 @@ class TestCommands(GuiTest):
         FreeCADGui.activateWorkbench("HexFeatureWorkbench")
         live(0.3)
         self.assertFalse(bar.isVisible())
+        self.assertEqual(self.menus().count("Hex mesh"), 1)
         self.assertEqual(set(commands.COMMANDS) - set(FreeCADGui.listCommands()), set())
         picture("workbench")
+        FreeCADGui.activateWorkbench("PartWorkbench")
+        live(0.3)
+        self.assertNotIn("Hex mesh", self.menus())
         FreeCADGui.activateWorkbench("FemWorkbench")
         live(0.3)
         self.assertTrue(bar.isVisible())
+        self.assertEqual(self.menus()[-3:], ["Hex mesh", "Windows", "Help"])
 
     def test_icons_are_seen_on_light_and_dark_themes(self):
         names = sorted(name[:-4] for name in os.listdir(os.path.join(ROOT, "Resources", "icons")) if name.endswith(".svg"))
@@ -78,7 +83,14 @@ class TestCommands(GuiTest):
                 self.skipTest(str(error))
             live(0.5)
             self.assertIsNotNone(FreeCADGui.Control.activeDialog() or None, "visited: %s" % visited)
-            task_panel.current.reject()
+            panel = task_panel.current
+            driver.press_keys("5", "Tab", focus=False)  # the size has the keyboard
+            self.assertEqual(panel.size.value(), 5)
+            driver.press_keys("Control_L+Return", focus=False)
+            wait_until(lambda: panel.mesh is not None and panel.job is None)
+            self.assertEqual(panel.mesh.HexCount, 80)
+            driver.press_keys("Escape", focus=False)
+            self.assertFalse(FreeCADGui.Control.activeDialog())
             FreeCAD.closeDocument(document.Name)
 
     def test_the_users_own_keys_go_before_ours(self):

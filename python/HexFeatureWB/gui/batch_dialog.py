@@ -23,7 +23,7 @@ class BatchDialog(QtGui.QDialog):
         super().__init__(parent)
         self.setWindowTitle(tr("Batch of hex meshes"))
         self.setWindowIcon(messages.qicon("HexFeature_Batch"))
-        self.resize(860, 520)
+        self.resize(960, 560)
         self.rows, self._items, self._item, self.job, self._cancelled = [], None, None, None, False
         self._timer = QtCore.QTimer(self)
         self._timer.timeout.connect(self._look)
@@ -36,7 +36,7 @@ class BatchDialog(QtGui.QDialog):
         self.table.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
         self.table.verticalHeader().hide()
         self.table.horizontalHeader().setStretchLastSection(True)
-        for column_number, width in enumerate((190, 80, 90, 90, 80, 80, 80)):
+        for column_number, width in enumerate((180, 70, 90, 90, 80, 80, 80)):
             self.table.setColumnWidth(column_number, width)
         column.addWidget(self.table)
         self.state = QtGui.QLabel(tr("Each solid leaves a FreeCAD document with its mesh, a .unv file and a report."))

@@ -32,9 +32,10 @@ def _activated(workbench):
     if not wanted:
         if bar is not None:
             bar.hide()
+            _menu(window).menuAction().setVisible(False)
         return
     if bar is None:
-        bar = window.addToolBar(tr("Hex mesh"))
+        bar = window.addToolBar("")
         bar.setObjectName(NAME)
         bar.addActions([_action(name, bar) for name in commands.register()])
         update = QtCore.QTimer(bar)
@@ -42,25 +43,48 @@ def _activated(workbench):
         update.start(UPDATE)
     _share_keys(window, bar)
     bar.show()
-    menus = window.menuBar()
-    if menus.findChild(QtGui.QMenu, NAME) is None:
-        menu = QtGui.QMenu(tr("Hex mesh"), menus)
+    menu = _menu(window)
+    if menu is None:
+        menu = QtGui.QMenu(window.menuBar())
         menu.setObjectName(NAME)
         menu.addActions(bar.actions())
         menu.aboutToShow.connect(lambda: _enable(bar.actions()))
-        # before Windows and Help, where a workbench's own menus stand
-        last = [a for a in menus.actions() if a.isVisible()][-2:]
-        menus.insertMenu(last[0], menu) if len(last) == 2 else menus.addMenu(menu)
+    _put_in_place(window.menuBar(), menu)
+    _speak(bar, menu)
+
+
+def _menu(window):
+    return window.menuBar().findChild(QtGui.QMenu, NAME)
+
+
+def _put_in_place(menus, menu):
+    """Before Windows and Help, where a workbench's own menus stand. FreeCAD has hidden and moved ours when it built its own."""
+    menus.removeAction(menu.menuAction())
+    before = next((a for a in menus.actions() if a.objectName() in ("&Windows", "&Help")), None)
+    menus.insertMenu(before, menu) if before is not None else menus.addMenu(menu)
+    menu.menuAction().setVisible(True)
 
 
 def _action(name, parent):
     """A command as an action. FreeCAD makes its own action of a command only for the workbench that lists it."""
-    info = commands.COMMANDS[name]().GetResources()
-    action = QtGui.QAction(messages.qicon(commands.COMMANDS[name].icon), info["MenuText"], parent)
+    action = QtGui.QAction(messages.qicon(commands.COMMANDS[name].icon), "", parent)
     action.setObjectName(NAME + "_" + name)
-    action.setToolTip("<b>%s</b><br>%s" % (info["MenuText"], info["ToolTip"]))
     action.triggered.connect(lambda *_: FreeCADGui.runCommand(name, 0))
     return action
+
+
+def _speak(bar, menu):
+    """All texts in FreeCAD's language of the moment."""
+    title = tr("Hex mesh")
+    bar.setWindowTitle(title)
+    menu.setTitle(title)
+    # When the language changes FreeCAD gives a menu the text of its data. One with the data of our own workbench's menu would be
+    # taken for that.
+    menu.menuAction().setData(title + " ")
+    for action in bar.actions():
+        info = commands.COMMANDS[action.objectName()[len(NAME) + 1:]]().GetResources()
+        action.setText(info["MenuText"])
+        action.setToolTip("<b>%s</b><br>%s" % (info["MenuText"], info["ToolTip"]))
 
 
 def _share_keys(window, bar):

@@ -9,7 +9,7 @@ from PySide import QtCore, QtGui
 
 from ..translate import tr
 from ..view_provider import ICONS
-from .widgets import number
+from .widgets import choice_title, number
 
 WAIT = QtCore.Qt.WaitCursor
 
@@ -130,6 +130,6 @@ def failure_text(error, faces, plain=False):
 
 def success_text(mesh):
     """The figures of a mesh in two lines."""
-    return tr("%(count)s hexahedra in %(seconds).1f s by %(method)s\nscaled Jacobian: worst %(worst).3f, mean %(mean).3f") % {
-        "count": number(mesh.HexCount), "seconds": mesh.Seconds, "method": mesh.MethodUsed,
+    return tr("%(count)s hexahedra in %(seconds).1f s (%(method)s)\nscaled Jacobian: worst %(worst).3f, mean %(mean).3f") % {
+        "count": number(mesh.HexCount), "seconds": mesh.Seconds, "method": choice_title("method", mesh.MethodUsed),
         "worst": mesh.MinScaledJacobian, "mean": mesh.MeanScaledJacobian}

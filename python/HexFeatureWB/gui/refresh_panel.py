@@ -9,6 +9,7 @@ from ..source import names_of, shape_to_mesh
 from ..translate import tr
 from . import messages, record
 from .run import Run
+from .widgets import Words
 
 
 class RefreshPanel:
@@ -20,9 +21,7 @@ class RefreshPanel:
         self.form.setWindowTitle(tr("Refresh mesh"))
         self.form.setWindowIcon(messages.qicon("HexFeature_Refresh"))
         column = QtGui.QVBoxLayout(self.form)
-        self.state = QtGui.QLabel()
-        self.state.setObjectName("state")
-        self.state.setWordWrap(True)
+        self.state = Words("state")
         self.bar = QtGui.QProgressBar()
         self.bar.setRange(0, 1000)
         self.bar.setTextVisible(False)

@@ -12,7 +12,7 @@ from ..translate import tr
 from . import messages, record, settings
 from .preview import Preview
 from .run import BUILDING, Run
-from .widgets import Fold, LengthEdit, OptionWidget, nice, number, title_of
+from .widgets import Fold, LengthEdit, OptionWidget, Words, nice, number, title_of
 
 STEPS = 200  #: of the slider
 
@@ -107,9 +107,7 @@ class HexMeshPanel:
             check.setChecked(settings.switch(name))
             check.toggled.connect(self._preview_switched)
             row.addWidget(check)
-        self.preview_text = QtGui.QLabel()
-        self.preview_text.setObjectName("preview_text")
-        self.preview_text.setWordWrap(True)
+        self.preview_text = Words("preview_text")
         column.addLayout(row)
         column.addWidget(self.preview_text)
         return box
@@ -123,7 +121,11 @@ class HexMeshPanel:
         self.mesh_button.setObjectName("mesh_button")
         self.mesh_button.setDefault(True)
         self.mesh_button.setIcon(messages.qicon("HexFeature_Mesh"))
+        self.mesh_button.setToolTip(tr("Mesh with these options (Ctrl+Return)"))
         self.mesh_button.clicked.connect(self.start)
+        shortcut = QtGui.QShortcut(QtGui.QKeySequence("Ctrl+Return"), box)
+        shortcut.setContext(QtCore.Qt.WindowShortcut)
+        shortcut.activated.connect(self.mesh_button.click)
         self.cancel_button = QtGui.QPushButton(tr("Cancel"))
         self.cancel_button.setObjectName("cancel_button")
         self.cancel_button.setEnabled(False)
@@ -134,10 +136,7 @@ class HexMeshPanel:
         self.bar.setObjectName("progress")
         self.bar.setRange(0, 1000)
         self.bar.setTextVisible(False)
-        self.state = QtGui.QLabel()
-        self.state.setObjectName("state")
-        self.state.setWordWrap(True)
-        self.state.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+        self.state = Words("state")
         self.log = QtGui.QPlainTextEdit()
         self.log.setObjectName("log")
         self.log.setReadOnly(True)
@@ -187,7 +186,8 @@ class HexMeshPanel:
 
     def _changed(self):
         count = self.estimated_count()
-        self.estimate.setText(tr("about %s elements") % number(max(1, count)) if count else tr("give a size above 0"))
+        self.estimate.setText(tr("give a size above 0") if count is None else tr("larger than the part") if count < 1 else
+                              tr("about %s elements") % number(count))
         self.mesh_button.setEnabled(self.job is None and count is not None)
         if not hasattr(self, "preview") or self.job is not None:
             return
@@ -320,6 +320,7 @@ class HexMeshPanel:
             view.DisplayMode = "Quality"
         self.bar.setValue(1000)
         self.state.setText(messages.success_text(self.mesh))
+        self.state.reveal()
         self.preview_text.setText("")
 
     def _failed(self, error):
@@ -337,6 +338,7 @@ class HexMeshPanel:
             if names:  # seen only where the part is
                 self.source.ViewObject.Visibility = True
         self.state.setText(messages.failure_text(error, names))
+        self.state.reveal()
         FreeCAD.Console.PrintError(messages.failure_text(error, names, plain=True) + "\n")
 
     # ---- FreeCAD's side
@@ -377,6 +379,7 @@ def open_panel(source, mesh=None, solid=0):
         return None
     current = HexMeshPanel(source, mesh, solid)
     FreeCADGui.Control.showDialog(current)
+    current.size.widget.setFocus(QtCore.Qt.TabFocusReason)  # what is typed replaces the size
     return current
 
 
