@@ -16,7 +16,6 @@ from driver import child, live, say, wait_until
 
 from HexFeatureWB.gui import record, task_panel
 from HexFeatureWB.gui import run as run_of_panel
-from HexFeatureWB.gui.preview import PATIENCE
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 PARTS = os.path.join(os.path.dirname(ROOT), "shared", "parts")
@@ -82,7 +81,7 @@ def parts_to_preview(folder):
 
 
 def preview():
-    """From the asking (when the user's hand has rested for PATIENCE) to the drawn preview."""
+    """From a change of the size, with the panel at rest, to the drawn preview."""
     import Part
 
     say("| part | faces | feature lines and labels drawn after | of processor time | regions, lines |")
@@ -94,9 +93,9 @@ def preview():
             shape = Part.Shape()
             shape.read(path)
             document, part = driver.show_part(shape)
-            panel = task_panel.open_panel(part)
+            panel = open_panel(part)
+            start, cpu = time.monotonic(), time.process_time()
             panel.size.set_value(size)
-            start, cpu = time.monotonic() + PATIENCE / 1000, time.process_time()
             first = None
             while panel.preview.busy:
                 live(0.005)
