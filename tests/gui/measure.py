@@ -94,12 +94,11 @@ def preview():
             shape.read(path)
             document, part = driver.show_part(shape)
             panel = open_panel(part)
-            start, cpu = time.monotonic(), time.process_time()
+            start, cpu, before, first = time.monotonic(), time.process_time(), panel.preview.stage, None
             panel.size.set_value(size)
-            first = None
             while panel.preview.busy:
                 live(0.005)
-                if first is None and panel.preview.stage is not None:
+                if first is None and panel.preview.stage is not before:
                     draw()
                     first, cpu = time.monotonic() - start, time.process_time() - cpu
             draw()
