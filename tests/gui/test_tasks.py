@@ -33,6 +33,11 @@ class TestMacro(GuiTest):
             driver.action("Mesh quality").trigger()
             child(quality_panel.current.form, "keep").setChecked(True)
             child(quality_panel.current.form, "cut_axis").setCurrentIndex(1)
+            slider = child(quality_panel.current.form, "cut_position")
+            slider.setSliderDown(True)
+            for value in (60, 70, 80):
+                slider.setValue(value)
+            slider.setSliderDown(False)
             quality_panel.current.reject()
 
         lines = self.recorded(act)
@@ -41,7 +46,9 @@ class TestMacro(GuiTest):
         document.removeObject(mesh.Name)
         exec("\n".join(lines), {"App": FreeCAD, "Gui": FreeCADGui})
         again = document.getObject("Part_Mesh")
-        self.assertEqual((again.HexCount, again.ViewObject.CutAxis, again.ViewObject.DisplayMode), (count, "X", "Quality"))
+        view = again.ViewObject
+        self.assertEqual((again.HexCount, view.CutAxis, view.CutPosition, view.DisplayMode), (count, "X", 80, "Quality"))
+        self.assertEqual(sum("CutPosition" in line for line in lines), 1)
 
     def test_refresh_models_and_export(self):
         document, part = driver.show_part(make_parts.box())

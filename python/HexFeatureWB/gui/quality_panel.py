@@ -88,7 +88,8 @@ class QualityPanel:
         self.position.setObjectName("cut_position")
         self.position.setRange(0, 100)
         self.position.setValue(self.view.CutPosition)
-        self.position.valueChanged.connect(lambda value: self._set("CutPosition", value))
+        self.position.valueChanged.connect(self._cut_moved)
+        self.position.sliderReleased.connect(lambda: record.set_view(self.mesh, "CutPosition", self.position.value()))
         self.flip = self._check("cut_flip", tr("other side"), "CutFlip")
         grid.addRow(tr("Cut open"), self.axis)
         grid.addRow("", self.position)
@@ -144,6 +145,12 @@ class QualityPanel:
         self._set("CutAxis", AXES[index])
         for widget in (self.position, self.flip):
             widget.setEnabled(index > 0)
+
+    def _cut_moved(self, value):
+        if self.position.isSliderDown():  # a macro needs the last position only
+            self.view.CutPosition = value
+        else:
+            self._set("CutPosition", value)
 
     def _below(self, value):
         self._set("ShowBelow", value)
