@@ -45,6 +45,11 @@ def option_texts():
     return sorted({option.help for option in hexfeature.options() if option.name != "stop_after"})
 
 
+def all_texts():
+    """What a language file holds, sorted."""
+    return sorted({*texts(), *option_texts(), *core_messages.texts(ROOT)})
+
+
 def read(path):
     """source -> translation of a .ts file; unfinished ones are left out."""
     if not path.exists():
@@ -72,7 +77,7 @@ def write(path, language, sources, known):
 def main():
     FOLDER.mkdir(exist_ok=True)
     languages = sys.argv[1:] or sorted(p.stem.split("_", 1)[1] for p in FOLDER.glob("HexFeature_*.ts"))
-    sources = sorted({*texts(), *option_texts(), *core_messages.texts(ROOT)})
+    sources = all_texts()
     for language in languages:
         path = FOLDER / ("HexFeature_%s.ts" % language)
         known = read(path)
