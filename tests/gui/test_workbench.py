@@ -76,21 +76,22 @@ class TestCommands(GuiTest):
                 live(0.3)
             document, part = driver.show_part(make_parts.box())
             FreeCADGui.Selection.addSelection(part)
-            live(0.6)
+            bar = child(FreeCADGui.getMainWindow(), fem_menu.NAME, QtGui.QToolBar)
+            wait_until(lambda: child(bar, fem_menu.NAME + "_HexFeature_Mesh", QtGui.QAction).isEnabled())
+            live(0.3)
             try:
                 driver.press_keys("H", "M")
             except OSError as error:
                 self.skipTest(str(error))
-            live(0.5)
-            self.assertIsNotNone(FreeCADGui.Control.activeDialog() or None, "visited: %s" % visited)
+            wait_until(FreeCADGui.Control.activeDialog, 30)
             panel = task_panel.current
             driver.press_keys("5", "Tab", focus=False)  # the size has the keyboard
-            self.assertEqual(panel.size.value(), 5)
+            wait_until(lambda: panel.size.value() == 5, 30)
             driver.press_keys("Control_L+Return", focus=False)
             wait_until(lambda: panel.mesh is not None and panel.job is None)
             self.assertEqual(panel.mesh.HexCount, 80)
             driver.press_keys("Escape", focus=False)
-            self.assertFalse(FreeCADGui.Control.activeDialog())
+            wait_until(lambda: not FreeCADGui.Control.activeDialog(), 30)
             FreeCAD.closeDocument(document.Name)
 
     def test_the_users_own_keys_go_before_ours(self):
