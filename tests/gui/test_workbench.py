@@ -77,7 +77,7 @@ class TestCommands(GuiTest):
             document, part = driver.show_part(make_parts.box())
             FreeCADGui.Selection.addSelection(part)
             bar = child(FreeCADGui.getMainWindow(), fem_menu.NAME, QtGui.QToolBar)
-            wait_until(lambda: child(bar, fem_menu.NAME + "_HexFeature_Mesh", QtGui.QAction).isEnabled())
+            wait_until(bar.actions()[0].isEnabled)
             live(0.3)
             try:
                 driver.press_keys("H", "M")
@@ -102,16 +102,18 @@ class TestCommands(GuiTest):
         own = FreeCAD.ParamGet(fem_menu.SHORTCUTS)
         window = FreeCADGui.getMainWindow()
         bar = child(window, fem_menu.NAME, QtGui.QToolBar)
-        action = child(bar, fem_menu.NAME + "_HexFeature_Export", QtGui.QAction)
+        action = fem_menu._ours["HexFeature_Export"]
+        menu = child(window.menuBar(), fem_menu.NAME, QtGui.QMenu)
         own.SetString("HexFeature_Export", "Ctrl+Alt+E")
         try:
-            fem_menu._share_keys(Window(), bar)
+            fem_menu._fill(Window(), bar, menu)
+            self.assertIn(action, bar.actions())
             self.assertEqual(action.shortcut().toString(), "Ctrl+Alt+E")
         finally:
             own.RemString("HexFeature_Export")
-        fem_menu._share_keys(Window(), bar)
+        fem_menu._fill(Window(), bar, menu)
         self.assertEqual(action.shortcut().toString(), "H, E")
-        fem_menu._share_keys(window, bar)
+        fem_menu._fill(window, bar, menu)
 
     def test_preferences_are_the_defaults_of_a_new_mesh(self):
         page = preferences.PreferencesPage()

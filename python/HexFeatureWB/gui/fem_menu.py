@@ -15,6 +15,9 @@ NAME = "HexFeature_InFem"
 SHORTCUTS = "User parameter:BaseApp/Preferences/Shortcut"  #: where FreeCAD keeps the user's own keys, by command
 UPDATE = 400  #: ms between two looks at which commands can be used
 
+#: command -> an action of ours. Kept here: clearing a toolbar or menu gives actions back to Python, which would forget them.
+_ours = {}
+
 
 def install():
     """Listen to the main window. Called once, when FreeCAD starts."""
@@ -34,27 +37,54 @@ def _activated(workbench):
             bar.hide()
             _menu(window).menuAction().setVisible(False)
         return
-    if bar is None:
-        bar = window.addToolBar("")
-        bar.setObjectName(NAME)
-        bar.addActions([_action(name, bar) for name in commands.register()])
-        update = QtCore.QTimer(bar)
-        update.timeout.connect(lambda: bar.isVisible() and _enable(bar.actions()))
-        update.start(UPDATE)
-    _share_keys(window, bar)
+    bar = bar or _make(window)
+    _fill(window, bar, _menu(window))
+    _put_in_place(window.menuBar(), _menu(window))
+    _speak(bar, _menu(window))
     bar.show()
-    menu = _menu(window)
-    if menu is None:
-        menu = QtGui.QMenu(window.menuBar())
-        menu.setObjectName(NAME)
-        menu.addActions(bar.actions())
-        menu.aboutToShow.connect(lambda: _enable(bar.actions()))
-    _put_in_place(window.menuBar(), menu)
-    _speak(bar, menu)
+
+
+def _make(window):
+    """The toolbar, with an action of ours for each command, and the menu."""
+    bar = window.addToolBar("")
+    bar.setObjectName(NAME)
+    for name in commands.register():
+        _ours[name] = _action(name, bar)
+    update = QtCore.QTimer(bar)
+    update.timeout.connect(lambda: bar.isVisible() and _enable())
+    update.start(UPDATE)
+    menu = QtGui.QMenu(window.menuBar())
+    menu.setObjectName(NAME)
+    menu.aboutToShow.connect(_enable)
+    return bar
 
 
 def _menu(window):
     return window.menuBar().findChild(QtGui.QMenu, NAME)
+
+
+def _action(name, bar):
+    """A command as an action."""
+    action = QtGui.QAction(messages.qicon(commands.COMMANDS[name].icon), "", bar)
+    action.setObjectName(NAME + "_" + name)
+    action.triggered.connect(lambda *_: FreeCADGui.runCommand(name, 0))
+    return action
+
+
+def _fill(window, bar, menu):
+    """Put the actions into toolbar and menu: FreeCAD's own, which it makes when our workbench is visited first, until then ours.
+
+    Never both: the same keys on two actions do nothing, and in FreeCAD 1.1 keys of an action that is nowhere seen do nothing.
+    A user's own keys (Tools > Customize) go before ours.
+    """
+    bar.clear()
+    menu.clear()
+    for name, ours in _ours.items():
+        freecads = window.findChild(QtGui.QAction, name)
+        keys = FreeCAD.ParamGet(SHORTCUTS).GetString(name, commands.COMMANDS[name].keys)
+        ours.setShortcut("" if freecads is not None else keys)
+        for holder in (bar, menu):
+            holder.addAction(ours if freecads is None else freecads)
 
 
 def _put_in_place(menus, menu):
@@ -65,14 +95,6 @@ def _put_in_place(menus, menu):
     menu.menuAction().setVisible(True)
 
 
-def _action(name, parent):
-    """A command as an action. FreeCAD makes its own action of a command only for the workbench that lists it."""
-    action = QtGui.QAction(messages.qicon(commands.COMMANDS[name].icon), "", parent)
-    action.setObjectName(NAME + "_" + name)
-    action.triggered.connect(lambda *_: FreeCADGui.runCommand(name, 0))
-    return action
-
-
 def _speak(bar, menu):
     """All texts in FreeCAD's language of the moment."""
     title = tr("Hex mesh")
@@ -81,22 +103,12 @@ def _speak(bar, menu):
     # When the language changes FreeCAD gives a menu the text of its data. One with the data of our own workbench's menu would be
     # taken for that.
     menu.menuAction().setData(title + " ")
-    for action in bar.actions():
-        info = commands.COMMANDS[action.objectName()[len(NAME) + 1:]]().GetResources()
+    for name, action in _ours.items():
+        info = commands.COMMANDS[name]().GetResources()
         action.setText(info["MenuText"])
         action.setToolTip("<b>%s</b><br>%s" % (info["MenuText"], info["ToolTip"]))
 
 
-def _share_keys(window, bar):
-    """Our actions have the commands' keys until FreeCAD has actions of its own for them, once our workbench has been visited: the
-    same keys on two actions would do nothing. A user's own keys (Tools > Customize) go before ours."""
-    for action in bar.actions():
-        name = action.objectName()[len(NAME) + 1:]
-        freecads = window.findChild(QtGui.QAction, name)
-        keys = FreeCAD.ParamGet(SHORTCUTS).GetString(name, commands.COMMANDS[name].keys)
-        action.setShortcut("" if freecads is not None else keys)
-
-
-def _enable(actions):
-    for action in actions:
-        action.setEnabled(FreeCADGui.isCommandActive(action.objectName()[len(NAME) + 1:]))
+def _enable():
+    for name, action in _ours.items():
+        action.setEnabled(FreeCADGui.isCommandActive(name))
