@@ -39,6 +39,12 @@ class TestTaskPanel(GuiTest):
         self.assertLess(abs(mesh.HexCount - panel.estimated_count()) / mesh.HexCount, 0.5)
         self.assertTrue(panel.log.toPlainText())
         picture("panel-meshed")
+        wait_until(lambda: not panel.state._later.isActive())  # scrolled to
+        self.assertFalse(panel.state.visibleRegion().isEmpty())
+        self.assertEqual(panel.size.value(), size)
+        child(panel.form, "mesh_button").click()
+        wait_until(lambda: panel.job is None)
+        self.assertEqual(document.Objects, [part, mesh])
         panel.reject()
         self.assertFalse(FreeCADGui.Control.activeDialog())
         self.assertFalse(part.ViewObject.Visibility)

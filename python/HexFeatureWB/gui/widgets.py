@@ -150,11 +150,10 @@ class Words(QtGui.QLabel):
         self._later.start(250)
 
     def _scroll(self):
-        parent = self.parentWidget()
-        while parent is not None and not hasattr(parent, "ensureWidgetVisible"):
-            parent = parent.parentWidget()
-        if parent is not None:
-            parent.ensureWidgetVisible(self)
+        # Not from parent to parent: PySide makes each of them an owner, and forgets what they own (the LengthEdit) when they go.
+        for area in FreeCADGui.getMainWindow().findChildren(QtGui.QScrollArea):
+            if area.isAncestorOf(self):
+                area.ensureWidgetVisible(self)
 
     def resizeEvent(self, event):
         super().resizeEvent(event)
