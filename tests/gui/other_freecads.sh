@@ -72,7 +72,7 @@ for suite in "$@"; do
   fi
   chroot "$root" env HEXFEATURE_OLDER_DOCUMENT=/root/older.FCStd sh -euc '
     cd /root/src
-    rm -rf python/hexfeature/_core*.so python/hexfeature.libs
+    rm -rf python/hexfeature/_core*.so python/hexfeature.libs build/python/hexfeature/_core*
     if ls /root/*.whl >/dev/null 2>&1; then
       /usr/bin/python3 -m zipfile -e /root/*.whl python
       chmod +x python/hexfeature/hexfeature-netgen

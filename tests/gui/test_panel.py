@@ -177,6 +177,7 @@ class TestTaskPanel(GuiTest):
         selected = FreeCADGui.Selection.getSelectionEx()[0].SubElementNames
         self.assertEqual(sorted(selected), ["Face3", "Face7"])
         self.assertTrue(part.ViewObject.Visibility)
+        wait_until(lambda: not panel.state._later.isActive())  # scrolled to
         picture("panel-failed")
 
     def test_a_mesh_that_freecad_cannot_take_is_a_failure(self):

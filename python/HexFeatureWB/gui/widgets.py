@@ -6,6 +6,9 @@ from PySide import QtCore, QtGui
 from ..translate import tr
 
 
+SETTLED = 150  #: ms after which a panel's layout may have settled
+
+
 def _titles():
     return {
         "method": tr("Method"),
@@ -147,13 +150,17 @@ class Words(QtGui.QLabel):
 
     def reveal(self):
         """Scroll the panel until the text is seen, once the layout has settled."""
-        self._later.start(250)
+        self._tries = 5
+        self._later.start(SETTLED)
 
     def _scroll(self):
         # Not from parent to parent: PySide makes each of them an owner, and forgets what they own (the LengthEdit) when they go.
         for area in FreeCADGui.getMainWindow().findChildren(QtGui.QScrollArea):
             if area.isAncestorOf(self):
                 area.ensureWidgetVisible(self)
+        self._tries -= 1
+        if self._tries and self.visibleRegion().boundingRect().height() < self.height():
+            self._later.start(SETTLED)
 
     def resizeEvent(self, event):
         super().resizeEvent(event)
