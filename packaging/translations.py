@@ -5,8 +5,9 @@
     /usr/bin/python3 packaging/translations.py          # every language that has a .ts file
     /usr/bin/python3 packaging/translations.py fr       # a new one
 
-Texts are the literals in tr("...") and QT_TRANSLATE_NOOP(CONTEXT, "..."), and the help of every option. Translations that are there
-are kept, new texts are added without one, texts that are gone are dropped. Needs lrelease (qttools5-dev-tools).
+Texts are the literals in tr("...") and QT_TRANSLATE_NOOP(CONTEXT, "..."), the help of every option, and the core's messages.
+Translations that are there are kept, new texts are added without one, texts that are gone are dropped. Needs lrelease
+(qttools5-dev-tools).
 """
 import ast
 import subprocess
@@ -14,9 +15,13 @@ import sys
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
+import core_messages
+
 ROOT = Path(__file__).resolve().parents[1]
 FOLDER = ROOT / "Resources" / "translations"
 CONTEXT = "HexFeature"
+#: functions of texts -> index of the first argument that is one
+CALLS = {"tr": 0, "QT_TRANSLATE_NOOP": 1, "_bad_input": 0}
 LRELEASE = "/usr/lib/qt5/bin/lrelease"
 
 
@@ -25,10 +30,10 @@ def texts():
     found = set()
     for path in sorted((ROOT / "python" / "HexFeatureWB").rglob("*.py")):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-            if isinstance(node, ast.Call) and getattr(node.func, "id", "") in ("tr", "QT_TRANSLATE_NOOP"):
-                literal = node.args[-1]
-                if isinstance(literal, ast.Constant) and isinstance(literal.value, str):
-                    found.add(literal.value)
+            if isinstance(node, ast.Call) and getattr(node.func, "id", "") in CALLS:
+                for literal in node.args[CALLS[node.func.id]:]:
+                    if isinstance(literal, ast.Constant) and isinstance(literal.value, str):
+                        found.add(literal.value)
     return sorted(found)
 
 
@@ -38,6 +43,11 @@ def option_texts():
     import hexfeature
 
     return sorted({option.help for option in hexfeature.options() if option.name != "stop_after"})
+
+
+def all_texts():
+    """What a language file holds, sorted."""
+    return sorted({*texts(), *option_texts(), *core_messages.texts(ROOT)})
 
 
 def read(path):
@@ -67,7 +77,7 @@ def write(path, language, sources, known):
 def main():
     FOLDER.mkdir(exist_ok=True)
     languages = sys.argv[1:] or sorted(p.stem.split("_", 1)[1] for p in FOLDER.glob("HexFeature_*.ts"))
-    sources = sorted(set(texts() + option_texts()))
+    sources = all_texts()
     for language in languages:
         path = FOLDER / ("HexFeature_%s.ts" % language)
         known = read(path)

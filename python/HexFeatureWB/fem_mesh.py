@@ -43,13 +43,16 @@ class FemMeshBuilder:
         self._parts = self._chunks(points, hexes, quads)
 
     def _chunks(self, points, hexes, quads):
+        # SMESH numbers nodes and elements by itself in the order they come. Given numbers cost as much again: addNode fails first to
+        # read its arguments without one.
         for add, rows, first, columns in (
             (self.mesh.addNode, points, 1, True), (self.mesh.addVolume, hexes, 1, False), (self.mesh.addFace, quads, len(hexes) + 1, False)
         ):
             for at in range(0, len(rows), self.CHUNK):
                 some = rows[at:at + self.CHUNK]
-                numbers = range(first + at, first + at + len(some))
-                collections.deque(map(add, *(some.T.tolist() if columns else [some.tolist()]), numbers), maxlen=0)
+                last = collections.deque(map(add, *(some.T.tolist() if columns else [some.tolist()])), maxlen=1)[0]
+                if last != first + at + len(some) - 1:
+                    raise RuntimeError("SMESH gave the number %d where %d was next" % (last, first + at + len(some) - 1))
                 self._done += len(some)
                 yield
 

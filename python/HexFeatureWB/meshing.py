@@ -20,8 +20,8 @@ def mesh(obj, size=None, analysis=None, name=None, progress=None, cancelled=None
     obj: a document object with a Shape (Part feature, PartDesign body, link, ...).
     size: element size in mm; None lets the core choose one.
     analysis: a FEM analysis that takes the mesh (it replaces the analysis' old one).
-    name: name of the new object; default that of the part with _Mesh: FreeCAD shows the part and hides the mesh when
-        a constraint is made, if the mesh has this name.
+    name: name of the new object; default that of the part with _Mesh, and so its label: FreeCAD shows the part and hides the mesh
+        when a constraint is made, if the mesh has this name.
     progress(step, fraction), cancelled() -> bool: called while meshing.
     solid: of a part with several solids the number of one, from 1; 0 meshes all of them.
     options: as on the command line (order=2 by default, labels, capture, ...).
@@ -39,6 +39,8 @@ def mesh(obj, size=None, analysis=None, name=None, progress=None, cancelled=None
     document.openTransaction("Hex mesh")
     try:
         result_object = mesh_object.create(document, obj, name or obj.Name + "_Mesh")
+        if name is None and obj.Label != obj.Name:
+            result_object.Label = obj.Label + "_Mesh"
         result_object.Solid = solid
         if size is not None:
             options["size"] = size
@@ -120,6 +122,8 @@ def _fill(mesh_obj, progress, cancelled):
         for name in (names[kind](number) for number in range(1, len(items) + 1) if number not in ids[kind]) if name
     ]
     mesh_obj.FeatureLineNodes = fem_mesh.feature_line_nodes(result)
+    if FreeCAD.GuiUp and mesh_obj.ViewObject is not None and mesh_obj.ViewObject.Proxy:
+        mesh_obj.ViewObject.Proxy.expect(result)
     mesh_obj.FemMesh = fem
     mesh_obj.MethodUsed = report["method"]
     mesh_obj.HexCount = report["quality"]["hexes"]

@@ -67,12 +67,17 @@ def _stage(name, obj, size, solid, options):
 
 
 def _polygon(points, closed=False):
-    """A wire through points (n, 3); None where it would have no length."""
+    """A wire through points (n, 3), a straight piece as one edge; None where it would have no length."""
     kept = [FreeCAD.Vector(*points[0])] if len(points) else []
     for p in points[1:]:
         v = FreeCAD.Vector(*p)
-        if v.distanceToPoint(kept[-1]) > 1e-9:
-            kept.append(v)
+        if v.distanceToPoint(kept[-1]) <= 1e-9:
+            continue
+        if len(kept) > 1:
+            before, after = kept[-1] - kept[-2], v - kept[-1]
+            if before.dot(after) > 0 and before.cross(after).Length < 1e-9 * (before.Length + after.Length):
+                kept.pop()
+        kept.append(v)
     if closed and len(kept) > 2:
         if kept[0].distanceToPoint(kept[-1]) > 1e-9:
             kept.append(kept[0])

@@ -10,7 +10,7 @@ import FreeCAD
 import Part
 
 import HexFeatureWB
-from HexFeatureWB import analysis, batch
+from HexFeatureWB import analysis, batch, core, fem_mesh
 
 import make_parts
 from hexfeature_documents import DocumentTest, new_part
@@ -34,6 +34,24 @@ class TestMeshObject(DocumentTest):
         document, part = new_part(make_parts.box())
         mesh = HexFeatureWB.mesh(part, size=5)
         self.assertEqual(len(mesh.FemMesh.getElementNodes(1)), 20)
+
+    def test_numbers_are_those_of_the_core(self):
+        """SMESH gives them by itself: node i of the core's result is node i + 1, then elements, hexahedra first."""
+        document, part = new_part(make_parts.box())
+        result = core.load().mesh_brep(part.Shape.exportBrepToString(), {"size": 5.0, "order": 2})
+        fem, ids = fem_mesh.to_fem_mesh(result)
+        nodes, hexes = fem.Nodes, len(result.hexes20)
+        self.assertEqual([tuple(nodes[i + 1]) for i in range(len(nodes))], [tuple(p) for p in result.points.tolist()])
+        self.assertEqual(sorted(fem.Volumes), list(range(1, hexes + 1)))
+        self.assertEqual(sorted(fem.Faces), list(range(hexes + 1, hexes + 1 + len(result.quads8))))
+        self.assertEqual(set(fem.getElementNodes(hexes + 1)), {n + 1 for n in result.quads8[0].tolist()})
+        self.assertEqual(sum(len(members) for members in ids["faces"].values()), len(result.quads8))
+
+    def test_a_mesh_is_called_after_its_part(self):
+        document, part = new_part(make_parts.box())
+        part.Label = "Träger"
+        mesh = HexFeatureWB.mesh(part, size=10)
+        self.assertEqual((mesh.Name, mesh.Label), ("Part_Mesh", "Träger_Mesh"))
 
     def test_save_and_reopen_keep_mesh_options_and_groups(self):
         document, part = new_part(make_parts.box())

@@ -92,20 +92,23 @@ def press_ok():
     raise LookupError("there is no OK")
 
 
-def press_keys(*names):
-    """Press keys ("H", "Return") on the screen's keyboard, by X's XTEST extension. Raises OSError where its library is missing."""
+def press_keys(*names, focus=True):
+    """Press keys ("H", "Return", "Control_L+Return") on the screen's keyboard, by X's XTEST extension. Raises OSError where its
+    library is missing."""
     x11, xtest = ctypes.CDLL("libX11.so.6"), ctypes.CDLL("libXtst.so.6")
     x11.XOpenDisplay.restype = ctypes.c_void_p
     x11.XStringToKeysym.restype = ctypes.c_ulong
     display = ctypes.c_void_p(x11.XOpenDisplay(None))
     window = FreeCADGui.getMainWindow()
     window.activateWindow()
-    window.setFocus()
+    if focus:
+        window.setFocus()
     live(0.3)
     for name in names:
-        code = x11.XKeysymToKeycode(display, ctypes.c_ulong(x11.XStringToKeysym(name.encode())))
-        for down in (1, 0):
-            xtest.XTestFakeKeyEvent(display, code, down, ctypes.c_ulong(0))
+        codes = [x11.XKeysymToKeycode(display, ctypes.c_ulong(x11.XStringToKeysym(key.encode()))) for key in name.split("+")]
+        for down, some in ((1, codes), (0, codes[::-1])):
+            for code in some:
+                xtest.XTestFakeKeyEvent(display, code, down, ctypes.c_ulong(0))
         x11.XFlush(display)
         live(0.2)
     x11.XCloseDisplay(display)

@@ -26,6 +26,12 @@ class GuiTest(unittest.TestCase):
         live()
 
     @staticmethod
+    def menus():
+        """Titles of the menus that are seen, in order."""
+        actions = FreeCADGui.getMainWindow().menuBar().actions()
+        return [a.text().replace("&", "").strip() for a in actions if a.isVisible() and not a.isSeparator()]
+
+    @staticmethod
     def recorded(action):
         """The lines that the macro recorder gets while `action` is done."""
         lines, real = [], FreeCADGui.doCommand

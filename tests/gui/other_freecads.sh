@@ -1,13 +1,17 @@
 #!/bin/sh
 # HexFeatureWB - LGPL-2.1-or-later
-# The tests of the window and of the FreeCAD objects in other FreeCADs than the system's: other_freecads.sh [trixie] [sid]
+# The tests of the window and of the FreeCAD objects in other FreeCADs than the system's: other_freecads.sh [--wheel] [trixie] [sid]
 #
 # For each Debian suite a root is made with debootstrap (once: about 10 minutes and 3 GB; trixie has FreeCAD 1.0, sid 1.1), the extension is
 # built in it with its own OpenCASCADE and Python, and the tests run there under Xvfb. Needs root, a network and debootstrap.
+# --wheel: nothing is built; the wheel for that Python in dist/repaired is taken, with the OpenCASCADE that it brings
+# (make bundled-wheel PYTHON=python3.13).
 # HEXFEATURE_ROOTS: where the roots are, /var/tmp/hexfeature-roots. HEXFEATURE_GUI_TESTS: as the arguments of run.sh.
 set -eu
 here=$(cd "$(dirname "$0")/../.." && pwd)
 roots=${HEXFEATURE_ROOTS:-/var/tmp/hexfeature-roots}
+wheel=
+[ "${1:-}" != --wheel ] || { wheel=yes; shift; }
 [ $# -gt 0 ] || set -- trixie sid
 command -v debootstrap >/dev/null || apt-get install -y debootstrap
 
@@ -61,11 +65,21 @@ for suite in "$@"; do
   mkdir -p "$root/root/src"
   (cd "$here" && git ls-files -z --cached --others --exclude-standard | tar cf - --null -T -) | tar xf - -C "$root/root/src"
   cp "$older/older.FCStd" "$root/root/older.FCStd"
+  rm -f "$root"/root/*.whl
+  if [ -n "$wheel" ]; then
+    tag=$(chroot "$root" /usr/bin/python3 -c 'import sys; print("cp%d%d" % sys.version_info[:2])')
+    cp "$here"/dist/repaired/hexfeature-*-"$tag"-*.whl "$root/root/"
+  fi
   chroot "$root" env HEXFEATURE_OLDER_DOCUMENT=/root/older.FCStd sh -euc '
     cd /root/src
-    rm -f python/hexfeature/_core*.so
+    rm -rf python/hexfeature/_core*.so python/hexfeature.libs build/python/hexfeature/_core*
+    if ls /root/*.whl >/dev/null 2>&1; then
+      /usr/bin/python3 -m zipfile -e /root/*.whl python
+      chmod +x python/hexfeature/hexfeature-netgen
+    else
     cmake -G Ninja -B build -DCMAKE_BUILD_TYPE=Release -DHEXFEATURE_TESTS=OFF -DPython3_EXECUTABLE=/usr/bin/python3 >build.log 2>&1 || { cat build.log; exit 1; }
     cmake --build build >>build.log 2>&1 || { tail -40 build.log; exit 1; }
+    fi
     code=0
     for t in TestHexFeature TestHexFeatureWindowless TestHexFeatureConstraints; do
       QT_QPA_PLATFORM=offscreen $(command -v freecadcmd || command -v FreeCADCmd) -P python -P tests/freecad -P tests/parts -t $t \

@@ -12,7 +12,7 @@ import make_parts
 from driver import child, live, picture, wait_until
 from gui_test import GuiTest
 
-from HexFeatureWB.gui import batch_dialog, quality_panel, record, refresh_panel, task_panel
+from HexFeatureWB.gui import batch_dialog, quality_panel, quality_view, record, refresh_panel, task_panel
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
@@ -136,6 +136,10 @@ class TestQuality(GuiTest):
         picture("quality")
         node = view.Proxy.quality
         elements = node.elements(mesh)
+        asked = quality_view.Elements.of_fem_mesh(mesh.FemMesh, mesh.FeatureLineNodes)  # what a document that was opened shows
+        self.assertTrue((elements.points == asked.points[:len(elements.points)]).all())
+        for name in ("hexes", "quality", "twin", "feature_lines"):
+            self.assertTrue((getattr(elements, name) == getattr(asked, name)).all(), name)
         self.assertAlmostEqual(elements.quality.min(), mesh.MinScaledJacobian, places=9)
         self.assertAlmostEqual(elements.quality.mean(), mesh.MeanScaledJacobian, places=9)
         self.assertEqual(len(elements.skin(elements.visible())[0]), mesh.FemMesh.FaceCount)
@@ -162,6 +166,8 @@ class TestModels(GuiTest):
         driver.action("Show feature lines").trigger()
         lines = document.getObject("FeatureLines")
         self.assertGreater(len(lines.Shape.Edges), 12)
+        long = max(edge.Length for edge in part.Shape.Edges)
+        self.assertAlmostEqual(max(edge.Length for edge in lines.Shape.Edges), long, places=6)  # a straight line is one edge
         FreeCADGui.Selection.clearSelection()
         FreeCADGui.Selection.addSelection(part)
         driver.action("Show recognition model").trigger()

@@ -1,6 +1,6 @@
 # HexFeatureWB - LGPL-2.1-or-later
 """The task panel: preview, meshing, Cancel, failures, what can be selected."""
-
+import threading
 
 import driver
 import FreeCAD
@@ -10,8 +10,9 @@ from driver import child, live, picture, wait_until
 from gui_test import GuiTest
 
 import HexFeatureWB
-from HexFeatureWB import mesh_object
-from HexFeatureWB.gui import messages, selection, task_panel
+from HexFeatureWB import fem_mesh, mesh_object
+from HexFeatureWB.gui import messages, run, selection, task_panel
+from HexFeatureWB.job import Job
 
 
 class TestTaskPanel(GuiTest):
@@ -38,6 +39,12 @@ class TestTaskPanel(GuiTest):
         self.assertLess(abs(mesh.HexCount - panel.estimated_count()) / mesh.HexCount, 0.5)
         self.assertTrue(panel.log.toPlainText())
         picture("panel-meshed")
+        wait_until(lambda: not panel.state._later.isActive())  # scrolled to
+        self.assertFalse(panel.state.visibleRegion().isEmpty())
+        self.assertEqual(panel.size.value(), size)
+        child(panel.form, "mesh_button").click()
+        wait_until(lambda: panel.job is None)
+        self.assertEqual(document.Objects, [part, mesh])
         panel.reject()
         self.assertFalse(FreeCADGui.Control.activeDialog())
         self.assertFalse(part.ViewObject.Visibility)
@@ -76,13 +83,68 @@ class TestTaskPanel(GuiTest):
             cancelled_in.add(job.step)
             child(panel.form, "cancel_button").click()
             longest = max(longest, wait_until(lambda: panel.job is None))
-            self.assertEqual(job.error.kind, "cancelled")
+            self.assertIn("cancelled", panel.state.text())
             self.assertEqual([o.Name for o in document.Objects], names)
             self.assertTrue(panel.mesh_button.isEnabled())
             wait_until(lambda: not panel.preview.busy)
         driver.say("cancelled in %s; longest answer %.2f s" % (sorted(cancelled_in), longest))
         self.assertGreater(len(cancelled_in), 1)
         picture("panel-cancelled")
+
+    def test_cancel_does_not_wait_for_a_worker_that_does_not_listen(self):
+        document, part = driver.show_part(make_parts.box())
+        panel = self.open_panel(part)
+        panel.size.set_value(5.0)
+        wait_until(lambda: not panel.preview.busy)
+        go_on, listen = threading.Event(), Job.run
+        Job.run = lambda job: (go_on.wait(120), listen(job))
+        try:
+            child(panel.form, "mesh_button").click()
+            job = panel.job
+            child(panel.form, "cancel_button").click()
+            wait_until(lambda: panel.job is None, 60)
+            self.assertTrue(job.is_alive())
+            self.assertIn("cancelled", panel.state.text())
+        finally:
+            Job.run = listen
+        child(panel.form, "mesh_button").click()  # beside the old worker, which ends without a word
+        go_on.set()
+        wait_until(lambda: panel.job is None and not job.is_alive())
+        self.assertEqual(job.error.kind, "cancelled")
+        self.assertEqual(panel.mesh.HexCount, 80)
+
+    def test_a_time_limit_is_a_failure_with_a_hint(self):
+        document, part = driver.show_part(make_parts.crank_shaft())
+        panel = self.open_panel(part)
+        panel.size.set_value(2.0)
+        wait_until(lambda: not panel.preview.busy)
+        panel.options["time_limit"].set_value(0.1)
+        child(panel.form, "mesh_button").click()
+        wait_until(lambda: panel.job is None)
+        self.assertIn("time limit reached", panel.state.text())
+        self.assertIn("Try:", panel.state.text())
+
+    def test_the_mesh_is_seen_while_freecad_takes_it(self):
+        document, part = driver.show_part(make_parts.box())
+        panel = self.open_panel(part)
+        panel.size.set_value(5.0)
+        wait_until(lambda: not panel.preview.busy)
+        shown, show_mesh = [], panel.preview.show_mesh
+        panel.preview.show_mesh = lambda points, quads: (show_mesh(points, quads), shown.append(panel.preview._root.getNumChildren()))
+
+        class OneByOne(fem_mesh.FemMeshBuilder):
+            def work(self, seconds):
+                return super().work(0)
+
+        run.FemMeshBuilder = OneByOne
+        try:
+            child(panel.form, "mesh_button").click()
+            wait_until(lambda: panel.job is None)
+        finally:
+            run.FemMeshBuilder = fem_mesh.FemMeshBuilder
+        self.assertEqual(shown, [3])  # how it is picked, faces, lines
+        self.assertEqual(panel.preview._root.getNumChildren(), 1)
+        self.assertTrue(panel.mesh.ViewObject.Visibility)
 
     def test_closing_the_panel_leaves_nothing_behind(self):
         document, part = driver.show_part(make_parts.box())
@@ -115,12 +177,10 @@ class TestTaskPanel(GuiTest):
         selected = FreeCADGui.Selection.getSelectionEx()[0].SubElementNames
         self.assertEqual(sorted(selected), ["Face3", "Face7"])
         self.assertTrue(part.ViewObject.Visibility)
+        wait_until(lambda: not panel.state._later.isActive())  # scrolled to
         picture("panel-failed")
 
     def test_a_mesh_that_freecad_cannot_take_is_a_failure(self):
-        from HexFeatureWB import fem_mesh
-        from HexFeatureWB.gui import run
-
         class NoRoom(fem_mesh.FemMeshBuilder):
             def __init__(self, result):
                 raise RuntimeError("no room")

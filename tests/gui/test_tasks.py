@@ -1,7 +1,9 @@
 # HexFeatureWB - LGPL-2.1-or-later
 """Whole tasks: macros that repeat them, a new user's way from a STEP file to stresses, another language."""
 import os
+import re
 import shutil
+import sys
 import tempfile
 import unittest
 
@@ -13,7 +15,9 @@ from driver import child, live, picture, wait_until
 from gui_test import GuiTest
 from PySide import QtGui
 
-from HexFeatureWB.gui import quality_panel, refresh_panel, task_panel
+from HexFeatureWB.gui import messages, quality_panel, refresh_panel, task_panel
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
 
 class TestMacro(GuiTest):
@@ -29,6 +33,11 @@ class TestMacro(GuiTest):
             driver.action("Mesh quality").trigger()
             child(quality_panel.current.form, "keep").setChecked(True)
             child(quality_panel.current.form, "cut_axis").setCurrentIndex(1)
+            slider = child(quality_panel.current.form, "cut_position")
+            slider.setSliderDown(True)
+            for value in (60, 70, 80):
+                slider.setValue(value)
+            slider.setSliderDown(False)
             quality_panel.current.reject()
 
         lines = self.recorded(act)
@@ -37,7 +46,9 @@ class TestMacro(GuiTest):
         document.removeObject(mesh.Name)
         exec("\n".join(lines), {"App": FreeCAD, "Gui": FreeCADGui})
         again = document.getObject("Part_Mesh")
-        self.assertEqual((again.HexCount, again.ViewObject.CutAxis, again.ViewObject.DisplayMode), (count, "X", "Quality"))
+        view = again.ViewObject
+        self.assertEqual((again.HexCount, view.CutAxis, view.CutPosition, view.DisplayMode), (count, "X", 80, "Quality"))
+        self.assertEqual(sum("CutPosition" in line for line in lines), 1)
 
     def test_refresh_models_and_export(self):
         document, part = driver.show_part(make_parts.box())
@@ -128,6 +139,9 @@ class TestTried(GuiTest):
             steel = next(o for o in document.Objects if o.isDerivedFrom("App::MaterialObjectPython"))
             steel.Material = {"Name": "Steel", "YoungsModulus": "210000 MPa", "PoissonRatio": "0.30", "Density": "7900 kg/m^3"}
             document.recompute()
+            if not any("Solver" in o.TypeId for o in study.Group):  # FreeCAD 1.1 makes none by itself
+                FreeCADGui.runCommand("FEM_SolverCalculiXCcxTools", 0)
+                live(0.3)
             solver = next(o for o in study.Group if "Solver" in o.TypeId)
             reaction = FreeCAD.Vector(*analysis.total_reaction(analysis.solve(study, solver, folder)))
             self.assertAlmostEqual(reaction.Length, 500, delta=0.5)
@@ -144,14 +158,48 @@ class TestTried(GuiTest):
 
 
 class TestZGerman(GuiTest):
+    def test_every_message_of_the_core_is_found_with_what_is_put_into_it(self):
+        sys.path.insert(0, os.path.join(ROOT, "packaging"))
+        import translations
+
+        known = translations.read(translations.FOLDER / "HexFeature_de.ts")
+        texts = [text for text in translations.core_messages.texts(ROOT) if text in known]
+        self.assertGreater(len(texts), 90)
+        FreeCADGui.setLocale("German")
+        try:
+            for text in texts:
+                words = messages.in_words("the part is damaged: " + re.sub(r"%\d", "12", text))
+                self.assertNotIn(text, words)
+                self.assertTrue(words.startswith("das Teil ist beschädigt: "), words)
+                self.assertEqual(words.count("12"), text.count("%"), words)
+            self.assertEqual(messages.in_words("a line runs from a +X face to itself"),
+                             "eine Linie führt von einer +X-Fläche zu ihr selbst")
+            self.assertEqual(messages.in_words("cannot write '/a/b c.inp': Permission denied"),
+                             "'/a/b c.inp' lässt sich nicht schreiben: Permission denied")
+            self.assertEqual(messages.in_words("what nobody knows: 12"), "what nobody knows: 12")
+        finally:
+            FreeCADGui.setLocale("English")
+
     def test_the_panel_speaks_german(self):
         FreeCADGui.setLocale("German")
         try:
+            live(0.3)
+            self.assertEqual(self.menus()[-3], "Hex mesh")  # until the workbench is visited again
+            FreeCADGui.activateWorkbench("PartWorkbench")
+            FreeCADGui.activateWorkbench("FemWorkbench")
+            live(0.3)
+            self.assertEqual(self.menus()[-3], "Hexaedernetz")
             document, part = driver.show_part(make_parts.box())
             panel = task_panel.open_panel(part)
             wait_until(lambda: not panel.preview.busy)
             self.assertEqual(panel.mesh_button.text(), "Vernetzen")
             picture("panel-german")
+            panel.size.set_value(1e4)
+            wait_until(lambda: not panel.preview.busy)
+            child(panel.form, "mesh_button").click()
+            wait_until(lambda: panel.job is None)
+            self.assertIn("die Elementgröße ist größer als das Teil", panel.state.text())
+            self.assertIn("Länge des Teils von ", panel.state.text())
             panel.reject()
         finally:
             FreeCADGui.setLocale("English")

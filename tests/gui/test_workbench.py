@@ -7,11 +7,11 @@ import driver
 import FreeCAD
 import FreeCADGui
 import make_parts
-from driver import child, live, picture
+from driver import child, live, picture, wait_until
 from gui_test import GuiTest
 from PySide import QtGui
 
-from HexFeatureWB.gui import commands, messages, preferences, settings, task_panel, widgets
+from HexFeatureWB.gui import commands, fem_menu, messages, preferences, settings, task_panel, widgets
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
@@ -26,7 +26,7 @@ class TestCommands(GuiTest):
         self.assertTrue(bar.isVisible())
         texts = [a.text() for a in bar.actions()]
         self.assertEqual(len(texts), 7)
-        self.assertIn("Hex mesh", [a.text().replace("&", "") for a in window.menuBar().actions()])
+        self.assertEqual(self.menus().count("Hex mesh"), 1)
         enabled = {a.text(): a.isEnabled() for a in bar.actions()}
         self.assertTrue(enabled["Hex mesh from solid"])
         self.assertFalse(enabled["Mesh quality"])
@@ -36,11 +36,16 @@ class TestCommands(GuiTest):
         FreeCADGui.activateWorkbench("HexFeatureWorkbench")
         live(0.3)
         self.assertFalse(bar.isVisible())
+        self.assertEqual(self.menus().count("Hex mesh"), 1)
         self.assertEqual(set(commands.COMMANDS) - set(FreeCADGui.listCommands()), set())
         picture("workbench")
+        FreeCADGui.activateWorkbench("PartWorkbench")
+        live(0.3)
+        self.assertNotIn("Hex mesh", self.menus())
         FreeCADGui.activateWorkbench("FemWorkbench")
         live(0.3)
         self.assertTrue(bar.isVisible())
+        self.assertEqual(self.menus()[-3:], ["Hex mesh", "Windows", "Help"])
 
     def test_icons_are_seen_on_light_and_dark_themes(self):
         names = sorted(name[:-4] for name in os.listdir(os.path.join(ROOT, "Resources", "icons")) if name.endswith(".svg"))
@@ -71,15 +76,44 @@ class TestCommands(GuiTest):
                 live(0.3)
             document, part = driver.show_part(make_parts.box())
             FreeCADGui.Selection.addSelection(part)
-            live(0.6)
+            bar = child(FreeCADGui.getMainWindow(), fem_menu.NAME, QtGui.QToolBar)
+            wait_until(bar.actions()[0].isEnabled)
+            live(0.3)
             try:
                 driver.press_keys("H", "M")
             except OSError as error:
                 self.skipTest(str(error))
-            live(0.5)
-            self.assertIsNotNone(FreeCADGui.Control.activeDialog() or None, "visited: %s" % visited)
-            task_panel.current.reject()
+            wait_until(FreeCADGui.Control.activeDialog, 30)
+            panel = task_panel.current
+            driver.press_keys("5", "Tab", focus=False)  # the size has the keyboard
+            wait_until(lambda: panel.size.value() == 5, 30)
+            driver.press_keys("Control_L+Return", focus=False)
+            wait_until(lambda: panel.mesh is not None and panel.job is None)
+            self.assertEqual(panel.mesh.HexCount, 80)
+            driver.press_keys("Escape", focus=False)
+            wait_until(lambda: not FreeCADGui.Control.activeDialog(), 30)
             FreeCAD.closeDocument(document.Name)
+
+    def test_the_users_own_keys_go_before_ours(self):
+        class Window:  # where FreeCAD has no actions of its own for our commands yet
+            def findChild(self, kind, name):
+                return None
+
+        own = FreeCAD.ParamGet(fem_menu.SHORTCUTS)
+        window = FreeCADGui.getMainWindow()
+        bar = child(window, fem_menu.NAME, QtGui.QToolBar)
+        action = fem_menu._ours["HexFeature_Export"]
+        menu = child(window.menuBar(), fem_menu.NAME, QtGui.QMenu)
+        own.SetString("HexFeature_Export", "Ctrl+Alt+E")
+        try:
+            fem_menu._fill(Window(), bar, menu)
+            self.assertIn(action, bar.actions())
+            self.assertEqual(action.shortcut().toString(), "Ctrl+Alt+E")
+        finally:
+            own.RemString("HexFeature_Export")
+        fem_menu._fill(Window(), bar, menu)
+        self.assertEqual(action.shortcut().toString(), "H, E")
+        fem_menu._fill(window, bar, menu)
 
     def test_preferences_are_the_defaults_of_a_new_mesh(self):
         page = preferences.PreferencesPage()

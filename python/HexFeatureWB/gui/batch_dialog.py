@@ -11,9 +11,9 @@ from .. import batch, mesh_object, meshing
 from ..job import Job
 from ..translate import tr
 from . import messages, record, settings
+from .run import PATIENCE, POLL, POLL_CANCELLED
 from .widgets import LengthEdit, OptionWidget, title_of
 
-POLL = 50  #: ms
 SHOWN = ("file", "solid", "result", "hexes", "min_sj", "mean_sj", "seconds", "why")
 SOURCES = "*.step *.stp *.iges *.igs *.brep *.brp *.FCStd"
 
@@ -23,7 +23,7 @@ class BatchDialog(QtGui.QDialog):
         super().__init__(parent)
         self.setWindowTitle(tr("Batch of hex meshes"))
         self.setWindowIcon(messages.qicon("HexFeature_Batch"))
-        self.resize(860, 520)
+        self.resize(960, 560)
         self.rows, self._items, self._item, self.job, self._cancelled = [], None, None, None, False
         self._timer = QtCore.QTimer(self)
         self._timer.timeout.connect(self._look)
@@ -36,7 +36,7 @@ class BatchDialog(QtGui.QDialog):
         self.table.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
         self.table.verticalHeader().hide()
         self.table.horizontalHeader().setStretchLastSection(True)
-        for column_number, width in enumerate((190, 80, 90, 90, 80, 80, 80)):
+        for column_number, width in enumerate((180, 70, 90, 90, 80, 80, 80)):
             self.table.setColumnWidth(column_number, width)
         column.addWidget(self.table)
         self.state = QtGui.QLabel(tr("Each solid leaves a FreeCAD document with its mesh, a .unv file and a report."))
@@ -126,6 +126,8 @@ class BatchDialog(QtGui.QDialog):
         self._items, self._cancelled = iter(()), True
         if self.job is not None:
             self.job.cancel()
+            self._give_up_at = time.monotonic() + PATIENCE
+            self._timer.setInterval(POLL_CANCELLED)
 
     def _next(self):
         """Begin the next solid; rows of files that cannot be read go into the table on the way."""
@@ -142,11 +144,14 @@ class BatchDialog(QtGui.QDialog):
     def _look(self):
         job, item = self.job, self._item
         if job is not None and job.is_alive():
-            self.state.setText("%s: %s, %.1f s" % (os.path.basename(item.file), messages.step_title(job.step), job.seconds))
-            return
+            if not job.was_cancelled:
+                self.state.setText("%s: %s, %.1f s" % (os.path.basename(item.file), messages.step_title(job.step), job.seconds))
+                return
+            if time.monotonic() < self._give_up_at:
+                return
         if job is not None:
             self.job = None
-            error, report = job.error, None
+            error, report = meshing.cancelled_error(job.step) if job.was_cancelled else job.error, None
             if error is None:
                 try:
                     # Through the same function as without a window; it takes the worker's result.

@@ -2,13 +2,14 @@
 """What the window says: failures with their reason and what to try, results, names of steps."""
 import html
 import os
+import re
 
 import FreeCADGui
 from PySide import QtCore, QtGui
 
 from ..translate import tr
 from ..view_provider import ICONS
-from .widgets import number
+from .widgets import choice_title, number
 
 WAIT = QtCore.Qt.WaitCursor
 
@@ -76,20 +77,47 @@ def step_title(step):
     return step_titles().get(step, step)
 
 
+#: what the core puts into its messages: numbers and labels, or else names in quotes
+VALUES = (r"[+-][XYZ]\b|\d[\d.]*(?:e[+-]?\d+)?", r"(?<=')[^']*(?=')")
+
+
+def in_words(message):
+    """A reason or hint of the core in the user's language, or as it is. Takes it apart as packaging/core_messages.py does."""
+    return ": ".join(_piece_in_words(piece) for piece in re.split(r": (?![^(]*\))", message))
+
+
+def _piece_in_words(piece):
+    words = tr(piece)
+    if words != piece or not piece:
+        return words
+    for values in VALUES:
+        found = re.findall(values, piece)
+        count = iter(range(1, len(found) + 1))
+        template = re.sub(values, lambda _: "%%%d" % next(count), piece)
+        words = tr(template)
+        if words != template:
+            return re.sub(r"%(\d)", lambda place: found[int(place[1]) - 1], words)
+    return piece
+
+
 def faces_to_blame(error, names):
     """FreeCAD names of the CAD faces that an error names, the first twenty."""
     found = [names["faces"](number) for number in getattr(error, "cad_faces", [])]
     return [name for name in found if name][:20]
 
 
+def given_up(error):
+    """Whether the user has cancelled; a time limit that is reached is a failure of the same kind."""
+    return getattr(error, "kind", "") == "cancelled" and error.reason == "cancelled"
+
+
 def failure_text(error, faces, plain=False):
     """Step, reason, faces and hint of an error, as rich or plain text."""
     reason = getattr(error, "reason", None)
-    if reason is None:  # not one of ours: a bug
-        reason = "%s: %s" % (type(error).__name__, error)
+    reason = in_words(reason) if reason is not None else "%s: %s" % (type(error).__name__, error)  # the latter is a bug
     where = tr("No mesh. Step: %s") % step_title(getattr(error, "step", ""))
     blame = tr("Faces to look at (selected in the view): %s") % ", ".join(faces) if faces else ""
-    hint = getattr(error, "hint", "")
+    hint = in_words(getattr(error, "hint", ""))
     if plain:
         return "HexFeatureWB: " + ". ".join(part for part in (where, reason, blame, hint) if part)
     lines = ["<b>%s</b>" % html.escape(where), html.escape(reason)]
@@ -102,6 +130,6 @@ def failure_text(error, faces, plain=False):
 
 def success_text(mesh):
     """The figures of a mesh in two lines."""
-    return tr("%(count)s hexahedra in %(seconds).1f s by %(method)s\nscaled Jacobian: worst %(worst).3f, mean %(mean).3f") % {
-        "count": number(mesh.HexCount), "seconds": mesh.Seconds, "method": mesh.MethodUsed,
+    return tr("%(count)s hexahedra in %(seconds).1f s (%(method)s)\nscaled Jacobian: worst %(worst).3f, mean %(mean).3f") % {
+        "count": number(mesh.HexCount), "seconds": mesh.Seconds, "method": choice_title("method", mesh.MethodUsed),
         "worst": mesh.MinScaledJacobian, "mean": mesh.MeanScaledJacobian}

@@ -7,9 +7,11 @@ import FreeCADGui
 
 from ..job import Job
 from ..models import AXIS_COLOURS, LABEL_COLOURS
-from . import scene
+from . import messages, scene
 
-POLL, PATIENCE = 20, 250  #: ms: looking for the result; waiting for the user to end turning a knob
+POLL, PATIENCE = 10, 250  #: ms: looking for the result; waiting for the user to end turning a knob
+
+MESH_COLOUR = (1.0, 0.7, 0.0)  #: as FreeCAD's own meshes
 
 
 class Preview(QtCore.QObject):
@@ -38,9 +40,20 @@ class Preview(QtCore.QObject):
         self.lines, self.labels = True, True
 
     def show(self, brep, options):
-        """Compute for these options soon; an older computation is given up."""
+        """Compute for these options, at once or, while a knob is being turned, when it has come to rest; an older computation is given
+        up."""
+        turning = self.busy
+        self.pause()
         self._next = brep, dict(options, stop_after="shape")
-        self._wait.start(PATIENCE)
+        self._wait.start(PATIENCE if turning else 0)
+
+    def show_mesh(self, points, quads):
+        """Draw the surface of a mesh instead, until the next show() or clear(): FreeCAD takes seconds to make its own picture."""
+        self.clear()
+        if self._graph:
+            points, quads = scene.compact(points, quads)
+            self._root.addChild(scene.faces(points, quads, np.zeros(len(quads), dtype=int), [MESH_COLOUR]))
+            self._root.addChild(scene.lines(points, scene.sides(quads), 1.0))
 
     def remove(self):
         """Take away what is drawn and give up what is computed."""
@@ -80,8 +93,6 @@ class Preview(QtCore.QObject):
         self._draw()
 
     def _start(self):
-        if self._job:
-            self._job.cancel()
         self._job, self._first_drawn = Job(*self._next, wants_first_look=True).start(), False
         self._poll.start(POLL)
 
@@ -100,8 +111,7 @@ class Preview(QtCore.QObject):
         if job.error is not None:
             self.stage = None
             self._draw()
-            reason = getattr(job.error, "reason", str(job.error))
-            self._said(reason)
+            self._said(messages.in_words(getattr(job.error, "reason", str(job.error))))
         else:
             self.seconds = job.seconds
             self._show_result(job.result, final=True)

@@ -7,7 +7,7 @@ from PySide import QtCore, QtGui
 
 from ..translate import tr
 from . import messages, record, scene
-from .widgets import number
+from .widgets import choice_title, number
 
 AXES = ("None", "X", "Y", "Z")
 
@@ -83,16 +83,18 @@ class QualityPanel:
         self.axis.setObjectName("cut_axis")
         self.axis.addItems([tr("no cut"), tr("across X"), tr("across Y"), tr("across Z")])
         self.axis.setCurrentIndex(AXES.index(self.view.CutAxis))
-        self.axis.currentIndexChanged.connect(lambda index: self._set("CutAxis", AXES[index]))
+        self.axis.currentIndexChanged.connect(self._cut)
         self.position = QtGui.QSlider(QtCore.Qt.Horizontal)
         self.position.setObjectName("cut_position")
         self.position.setRange(0, 100)
         self.position.setValue(self.view.CutPosition)
-        self.position.valueChanged.connect(lambda value: self._set("CutPosition", value))
+        self.position.valueChanged.connect(self._cut_moved)
+        self.position.sliderReleased.connect(lambda: record.set_view(self.mesh, "CutPosition", self.position.value()))
         self.flip = self._check("cut_flip", tr("other side"), "CutFlip")
         grid.addRow(tr("Cut open"), self.axis)
         grid.addRow("", self.position)
         grid.addRow("", self.flip)
+        self._cut(self.axis.currentIndex())
         self.lines = self._check("feature_lines", tr("Feature lines"), "FeatureLines")
         self.bar = self._check("colour_bar", tr("Colour scale"), "ColourBar")
         self.keep = QtGui.QCheckBox(tr("Keep this view when closed"))
@@ -115,6 +117,7 @@ class QualityPanel:
         mesh = self.mesh
         report = json.loads(mesh.Report) if mesh.Report else {}
         quality = report.get("quality", {})
+        off = float(mesh.LargestDeviation.Value)
         rows = [
             (tr("Hexahedra"), number(mesh.HexCount)),
             (tr("Nodes"), number(mesh.FemMesh.NodeCount)),
@@ -122,8 +125,8 @@ class QualityPanel:
             (tr("Scaled Jacobian, mean"), "%.3f" % mesh.MeanScaledJacobian),
             (tr("Elements below 0.2"), "%.2g %%" % (100 * quality.get("below_0.2", 0))),
             (tr("Volume off by"), "%.2g %%" % (100 * quality.get("volume_error", 0))),
-            (tr("Largest distance from the CAD"), "%.2g mm" % float(mesh.LargestDeviation.Value)),
-            (tr("Method"), mesh.MethodUsed),
+            (tr("Farthest from the CAD"), "%.2g mm" % off if off >= 1e-9 else "&lt; 1e-9 mm"),
+            (tr("Method"), choice_title("method", mesh.MethodUsed)),
             (tr("Time"), "%.1f s" % mesh.Seconds),
         ]
         return "<table>%s</table>" % "".join("<tr><td>%s&nbsp;&nbsp;</td><td><b>%s</b></td></tr>" % row for row in rows)
@@ -137,6 +140,17 @@ class QualityPanel:
         if elements is not None:
             count = int(elements.visible(self.below.value()).sum())
             self.shown.setText(tr("%(some)s of %(all)s elements") % {"some": number(count), "all": number(len(elements.hexes))})
+
+    def _cut(self, index):
+        self._set("CutAxis", AXES[index])
+        for widget in (self.position, self.flip):
+            widget.setEnabled(index > 0)
+
+    def _cut_moved(self, value):
+        if self.position.isSliderDown():  # a macro needs the last position only
+            self.view.CutPosition = value
+        else:
+            self._set("CutPosition", value)
 
     def _below(self, value):
         self._set("ShowBelow", value)

@@ -14,20 +14,25 @@ HEX_FACES = np.array([[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2
 class Elements:
     """What is needed to draw any part of a mesh fast: quality of each element and, for each element face, the one behind it.
 
-    hexes (m, 8), points (n, 3), quality (m,), twin (m, 6): element on the other side, -1 outside; centres (m, 3).
+    hexes (m, 8), points (n, 3), quality (m,), twin (m, 6): element on the other side, -1 outside; centres (m, 3);
+    feature_lines (k, 2): indices of points.
     """
 
-    def __init__(self, fem, feature_line_nodes=()):
-        arrays = fem_mesh.arrays_of(fem)
-        self.points, self.hexes = arrays["points"], arrays["hexes"][:, :8]
-        self.quality = core.load().scaled_jacobians(self.points, self.hexes)
-        self.hex_id = arrays["hex_id"]
-        self.centres = self.points[self.hexes].mean(axis=1)
+    def __init__(self, points, hexes, feature_lines):
+        self.points, self.hexes, self.feature_lines = points, hexes, feature_lines
+        self.quality = core.load().scaled_jacobians(points, hexes)
+        self.centres = points[hexes].mean(axis=1)
         self.twin = self._twins()
+
+    @classmethod
+    def of_fem_mesh(cls, fem, feature_line_nodes=()):
+        """feature_line_nodes: node ids, two an edge. Raises ValueError when there are no hexahedra, or other volumes besides."""
+        arrays = fem_mesh.arrays_of(fem)
         ids = np.asarray(feature_line_nodes, dtype=np.int64).reshape(-1, 2)
         index = np.zeros(int(arrays["node_id"].max(initial=0)) + 1, dtype=np.int64)
         index[arrays["node_id"]] = np.arange(len(arrays["node_id"]))
-        self.feature_lines = index[ids] if len(ids) and ids.max() < len(index) else arrays["feature_edges"]
+        known = len(ids) and ids.max() < len(index)
+        return cls(arrays["points"], arrays["hexes"][:, :8], index[ids] if known else arrays["feature_edges"])
 
     def _twins(self):
         corners = np.sort(self.hexes[:, HEX_FACES].reshape(-1, 4), axis=1).astype(np.int64)
@@ -68,17 +73,26 @@ class QualityNode:
 
     def __init__(self):
         self.root = coin.SoSeparator()
-        self._elements = self._of = None
+        self._elements = self._expected = self._arrays = None
+
+    def expect(self, result):
+        """The core's result of the very mesh that the object gets next: its arrays need not be asked of FreeCAD, node by node."""
+        self._expected = np.array(result.points)[:fem_mesh.first_middle(result)], np.array(result.hexes, dtype=np.int64)
 
     def elements(self, obj):
-        """The Elements of the object's mesh, kept until the mesh changes."""
-        stamp = (obj.FemMesh.NodeCount, obj.FemMesh.VolumeCount, obj.MadeOf, obj.MinScaledJacobian, obj.Seconds)
-        if self._of != stamp:
-            self._elements, self._of = Elements(obj.FemMesh, obj.FeatureLineNodes), stamp
+        """The Elements of the object's mesh, kept until the mesh changes. Raises ValueError without one."""
+        if self._elements is None:
+            (points, hexes), self._arrays = self._arrays or ((), ()), None
+            if len(hexes) and len(hexes) == obj.FemMesh.VolumeCount:
+                # Node i of the result has the number i + 1.
+                self._elements = Elements(points, hexes, np.array(obj.FeatureLineNodes, dtype=np.int64).reshape(-1, 2) - 1)
+            else:
+                self._elements = Elements.of_fem_mesh(obj.FemMesh, obj.FeatureLineNodes)
         return self._elements
 
     def forget(self):
-        self._of = None
+        """The object has another mesh."""
+        self._elements, self._arrays, self._expected = None, self._expected, None
 
     def update(self, obj, view):
         self.root.removeAllChildren()
@@ -89,19 +103,10 @@ class QualityNode:
         axis = {"X": 0, "Y": 1, "Z": 2}.get(view.CutAxis)
         shown = elements.visible(view.ShowBelow, axis, view.CutPosition / 100.0, view.CutFlip)
         quads, element = elements.skin(shown)
-        points, line_points, quads = _compact(elements.points, quads)
+        points, quads = scene.compact(elements.points, quads)
         self.root.addChild(scene.faces(points, quads, scene.quality_levels(elements.quality[element]), scene.quality_colours()))
-        sides = np.sort(np.stack([quads, np.roll(quads, -1, axis=1)], axis=2).reshape(-1, 2), axis=1)
-        if len(sides):
-            sides = np.unique(sides, axis=0)
-        self.root.addChild(scene.unpickable(scene.lines(line_points, sides, 1.0)))
+        self.root.addChild(scene.unpickable(scene.lines(points, scene.sides(quads), 1.0)))
         if view.FeatureLines:
             self.root.addChild(scene.unpickable(scene.lines(elements.points, elements.feature_lines, 3.0)))
         if view.ColourBar:
             self.root.addChild(scene.colour_bar(tr("scaled Jacobian") + "\n" + tr("1 is best")))
-
-
-def _compact(points, quads):
-    """Only the points that are used, twice (faces, lines), and the quads with the new numbers."""
-    used, inverse = np.unique(quads, return_inverse=True)
-    return points[used], points[used], inverse.reshape(-1, 4)

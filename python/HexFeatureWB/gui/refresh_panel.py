@@ -9,6 +9,7 @@ from ..source import names_of, shape_to_mesh
 from ..translate import tr
 from . import messages, record
 from .run import Run
+from .widgets import Words
 
 
 class RefreshPanel:
@@ -20,9 +21,7 @@ class RefreshPanel:
         self.form.setWindowTitle(tr("Refresh mesh"))
         self.form.setWindowIcon(messages.qicon("HexFeature_Refresh"))
         column = QtGui.QVBoxLayout(self.form)
-        self.state = QtGui.QLabel()
-        self.state.setObjectName("state")
-        self.state.setWordWrap(True)
+        self.state = Words("state")
         self.bar = QtGui.QProgressBar()
         self.bar.setRange(0, 1000)
         self.bar.setTextVisible(False)
@@ -66,8 +65,7 @@ class RefreshPanel:
                 "mesh": self.mesh.Label, "number": self.count - len(self.waiting), "count": self.count,
                 "step": messages.step_title(job.step), "seconds": job.seconds})
 
-    def _ended(self, job):
-        error = job.error
+    def _ended(self, job, error):
         if error is None:
             try:
                 record.refresh(self.mesh)
@@ -87,7 +85,7 @@ class RefreshPanel:
             if names:
                 source.ViewObject.Visibility = True
         text = "<b>%s</b><br>%s" % (self.mesh.Label, messages.failure_text(error, names))
-        if getattr(error, "kind", "") == "cancelled":
+        if messages.given_up(error):
             text = tr("cancelled; the old mesh stays")
         self.failed.append(text)
         self.state.setText("<br><br>".join(self.failed))

@@ -19,6 +19,18 @@ def quality_colours():
     return np.stack([np.interp(at, np.linspace(0, 1, len(QUALITY_STOPS)), QUALITY_STOPS[:, k]) for k in range(3)], axis=1)
 
 
+def compact(points, polygons):
+    """Only the points that are used, and the polygons (n, k) with the new numbers."""
+    used, inverse = np.unique(polygons, return_inverse=True)
+    return np.asarray(points)[used], inverse.reshape(np.shape(polygons))
+
+
+def sides(quads):
+    """(n, 2) the sides of quadrilaterals, each once."""
+    ends = np.sort(np.stack([quads, np.roll(quads, -1, axis=1)], axis=2).reshape(-1, 2), axis=1)
+    return np.unique(ends, axis=0) if len(ends) else ends
+
+
 def _coordinates(points):
     node = coin.SoCoordinate3()
     node.point.setValues(0, len(points), np.asarray(points, dtype=float).tolist())

@@ -11,8 +11,8 @@ from ..source import names_of, shape_to_mesh, solids_of
 from ..translate import tr
 from . import messages, record, settings
 from .preview import Preview
-from .run import Run
-from .widgets import Fold, LengthEdit, OptionWidget, nice, number, title_of
+from .run import BUILDING, Run
+from .widgets import Fold, LengthEdit, OptionWidget, Words, nice, number, title_of
 
 STEPS = 200  #: of the slider
 
@@ -26,7 +26,7 @@ class HexMeshPanel:
     def __init__(self, source, mesh=None, solid=0):
         self.source, self.mesh, self.document = source, mesh, source.Document
         self.run = None
-        self._hidden = None  # the part, while the preview stands in its place
+        self._hidden = []  # views of part and mesh, while the preview stands in their place
         self.form = self._build(mesh.Solid if mesh else solid)
         self.run = Run(self.form, self._looked, self._ended)
         self.preview = Preview(self.document, self._preview_says, self._preview_ready, self.form)
@@ -107,9 +107,7 @@ class HexMeshPanel:
             check.setChecked(settings.switch(name))
             check.toggled.connect(self._preview_switched)
             row.addWidget(check)
-        self.preview_text = QtGui.QLabel()
-        self.preview_text.setObjectName("preview_text")
-        self.preview_text.setWordWrap(True)
+        self.preview_text = Words("preview_text")
         column.addLayout(row)
         column.addWidget(self.preview_text)
         return box
@@ -123,7 +121,11 @@ class HexMeshPanel:
         self.mesh_button.setObjectName("mesh_button")
         self.mesh_button.setDefault(True)
         self.mesh_button.setIcon(messages.qicon("HexFeature_Mesh"))
+        self.mesh_button.setToolTip(tr("Mesh with these options (Ctrl+Return)"))
         self.mesh_button.clicked.connect(self.start)
+        shortcut = QtGui.QShortcut(QtGui.QKeySequence("Ctrl+Return"), box)
+        shortcut.setContext(QtCore.Qt.WindowShortcut)
+        shortcut.activated.connect(self.mesh_button.click)
         self.cancel_button = QtGui.QPushButton(tr("Cancel"))
         self.cancel_button.setObjectName("cancel_button")
         self.cancel_button.setEnabled(False)
@@ -134,10 +136,7 @@ class HexMeshPanel:
         self.bar.setObjectName("progress")
         self.bar.setRange(0, 1000)
         self.bar.setTextVisible(False)
-        self.state = QtGui.QLabel()
-        self.state.setObjectName("state")
-        self.state.setWordWrap(True)
-        self.state.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+        self.state = Words("state")
         self.log = QtGui.QPlainTextEdit()
         self.log.setObjectName("log")
         self.log.setReadOnly(True)
@@ -187,7 +186,8 @@ class HexMeshPanel:
 
     def _changed(self):
         count = self.estimated_count()
-        self.estimate.setText(tr("about %s elements") % number(max(1, count)) if count else tr("give a size above 0"))
+        self.estimate.setText(tr("give a size above 0") if count is None else tr("larger than the part") if count < 1 else
+                              tr("about %s elements") % number(count))
         self.mesh_button.setEnabled(self.job is None and count is not None)
         if not hasattr(self, "preview") or self.job is not None:
             return
@@ -203,7 +203,7 @@ class HexMeshPanel:
         try:
             self.preview.show(self._shape().exportBrepToString(), self.chosen())
         except meshing.MeshingError as error:
-            self._preview_says(error.reason)
+            self._preview_says(messages.in_words(error.reason))
 
     def _preview_switched(self):
         self.preview.set_parts(self.show_lines.isChecked(), self.show_labels.isChecked())
@@ -230,15 +230,15 @@ class HexMeshPanel:
             self._show_part()
 
     def _hide_part(self):
-        """The coloured preview stands in the part's place."""
-        view = self.source.ViewObject
-        if self._hidden is None and view.Visibility:
-            self._hidden = view
-            view.Visibility = False
+        """The coloured preview stands in the place of the part and of its mesh."""
+        for obj in (self.source, self.mesh):
+            if obj is not None and obj.ViewObject.Visibility:
+                self._hidden.append(obj.ViewObject)
+                obj.ViewObject.Visibility = False
 
     def _show_part(self):
-        view, self._hidden = self._hidden, None
-        if view is not None:
+        hidden, self._hidden = self._hidden, []
+        for view in hidden:
             view.Visibility = True
 
     # ---- the run
@@ -249,7 +249,7 @@ class HexMeshPanel:
             return
         FreeCADGui.Selection.clearSelection()
         self.log.clear()
-        self._shown_lines = 0
+        self._shown_lines, self._mesh_drawn = 0, False
         try:
             brep = self._shape().exportBrepToString()
         except meshing.MeshingError as error:
@@ -260,7 +260,7 @@ class HexMeshPanel:
         self._set_running(True)
 
     def cancel(self):
-        """Give the run up. The panel answers at once; the worker ends within 0.2 s."""
+        """Give the run up. The panel can be used again at once."""
         if self.job is not None:
             self.run.cancel()
             self.cancel_button.setEnabled(False)
@@ -273,19 +273,23 @@ class HexMeshPanel:
         self.cancel_button.setEnabled(running)
 
     def _looked(self, job):
+        if job.step == BUILDING and not self._mesh_drawn:
+            self._mesh_drawn = True
+            self.preview.show_mesh(job.result.points, job.result.quads)
+            self._hide_part()
         self.bar.setValue(int(1000 * job.fraction))
         if not job.was_cancelled:
             self.state.setText(tr("%(step)s, %(seconds).1f s") % {"step": messages.step_title(job.step), "seconds": job.seconds})
         self._append_log(job)
 
-    def _ended(self, job):
+    def _ended(self, job, error):
         self._append_log(job)
         self._set_running(False)
         self.bar.setValue(0)
-        if job.error is None:
+        if error is None:
             self._take(job)
         else:
-            self._failed(job.error)
+            self._failed(error)
 
     def _append_log(self, job):
         lines = job.lines[self._shown_lines:]
@@ -316,12 +320,13 @@ class HexMeshPanel:
             view.DisplayMode = "Quality"
         self.bar.setValue(1000)
         self.state.setText(messages.success_text(self.mesh))
+        self.state.reveal()
         self.preview_text.setText("")
 
     def _failed(self, error):
         self.preview.clear()
         self._show_part()
-        if getattr(error, "kind", "") == "cancelled":
+        if messages.given_up(error):
             self.state.setText(tr("cancelled; the document is as it was"))
             self._ask_preview()
             return
@@ -333,6 +338,7 @@ class HexMeshPanel:
             if names:  # seen only where the part is
                 self.source.ViewObject.Visibility = True
         self.state.setText(messages.failure_text(error, names))
+        self.state.reveal()
         FreeCAD.Console.PrintError(messages.failure_text(error, names, plain=True) + "\n")
 
     # ---- FreeCAD's side
@@ -373,6 +379,7 @@ def open_panel(source, mesh=None, solid=0):
         return None
     current = HexMeshPanel(source, mesh, solid)
     FreeCADGui.Control.showDialog(current)
+    current.size.widget.setFocus(QtCore.Qt.TabFocusReason)  # what is typed replaces the size
     return current
 
 

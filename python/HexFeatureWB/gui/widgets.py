@@ -1,10 +1,12 @@
 # HexFeatureWB - LGPL-2.1-or-later
 """Input widgets made from the core's list of options, so that a new option appears without a line here."""
-import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
 from ..translate import tr
+
+
+SETTLED = 150  #: ms after which a panel's layout may have settled
 
 
 def _titles():
@@ -14,7 +16,7 @@ def _titles():
         "labels": tr("Labels"),
         "capture": tr("Edges to follow"),
         "sheets": tr("O-grid sheets"),
-        "minimum_layers": tr("Elements through a thickness, at least"),
+        "minimum_layers": tr("Layers, at least"),
         "beta": tr("Smoothing speed of the paper's labels"),
         "smoothing_rounds": tr("Smoothing rounds of the paper's labels"),
         "crease_angle": tr("Crease angle of triangle surfaces (degrees)"),
@@ -43,8 +45,8 @@ def choice_title(option, choice):
         ("labels", "paper"): tr("the paper's, on triangles"),
         ("capture", "all"): tr("all CAD edges"),
         ("capture", "sharp"): tr("sharp CAD edges"),
-        ("order", 1): tr("first: 8 nodes"),
-        ("order", 2): tr("second: 20 nodes, for stresses"),
+        ("order", 1): tr("first (8 nodes)"),
+        ("order", 2): tr("second (20 nodes)"),
     }.get((option, choice), str(choice))
 
 
@@ -130,8 +132,42 @@ def number(value):
     return QtCore.QLocale().toString(int(value))
 
 
-def length_text(millimetres):
-    return FreeCAD.Units.Quantity(millimetres, FreeCAD.Units.Length).UserString
+class Words(QtGui.QLabel):
+    """A text of several lines that is never cut and never squeezes what is above it: Qt forgets the height of wrapped lines."""
+
+    def __init__(self, name):
+        super().__init__()
+        self.setObjectName(name)
+        self.setWordWrap(True)
+        self.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+        self._later = QtCore.QTimer(self)
+        self._later.setSingleShot(True)
+        self._later.timeout.connect(self._scroll)
+
+    def setText(self, text):
+        super().setText(text)
+        self._make_room()
+
+    def reveal(self):
+        """Scroll the panel until the text is seen, once the layout has settled."""
+        self._tries = 5
+        self._later.start(SETTLED)
+
+    def _scroll(self):
+        # Not from parent to parent: PySide makes each of them an owner, and forgets what they own (the LengthEdit) when they go.
+        for area in FreeCADGui.getMainWindow().findChildren(QtGui.QScrollArea):
+            if area.isAncestorOf(self):
+                area.ensureWidgetVisible(self)
+        self._tries -= 1
+        if self._tries and self.visibleRegion().boundingRect().height() < self.height():
+            self._later.start(SETTLED)
+
+    def resizeEvent(self, event):
+        super().resizeEvent(event)
+        self._make_room()
+
+    def _make_room(self):
+        self.setMinimumHeight(self.heightForWidth(self.width()) if self.text() else 0)
 
 
 class Fold(QtGui.QWidget):
