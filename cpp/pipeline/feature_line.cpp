@@ -8,19 +8,16 @@
 #include <utility>
 
 #include "fit/fit.h"
+#include "pipeline/sheet_trials.h"
 
 namespace hexfeature {
 namespace {
-
-/// A mesh whose worst element is below this is worth a second try without (or with fewer) sheets.
-constexpr double kGoodEnough = 0.5;
 
 /// With another method to come, elements of all the meshes of one labelling that stay inverted before it is given up.
 constexpr int kVainWork = 15000;
 
 /// What the meshes of one labelling came to so far.
 struct Trials {
-  Worth worth;        ///< of the last one kept; nothing is known of those with inverted elements
   int vain = 0;       ///< elements of all those that stayed inverted
   bool once = false;  ///< one that stays inverted is not tried with fewer sheets
 };
@@ -77,71 +74,40 @@ void require_valid(const LabelResult& labels) {
                      "try a smaller element size, or simplify the faces named", cad_faces_of(labels.shape, worst.charts));
 }
 
-/// Whether a smoothed mesh is worth more: fewer inverted elements, or keeping more of the part, or a worst element better by what can be
-/// seen. What it keeps is not known of meshes with inverted elements.
-bool is_better(const SmoothReport& a, const Worth& worth_a, const SmoothReport& b, const Worth& worth_b) {
-  constexpr double kSeen = 0.005;
-  if (a.inverted != b.inverted) return a.inverted < b.inverted;
-  if (worth_a.faithful != worth_b.faithful) return worth_a.faithful;
-  if (a.inverted == 0 && !worth_a.faithful && worth_a.lost != worth_b.lost) return worth_a.lost < worth_b.lost;
-  return a.min_sj > b.min_sj + kSeen;
-}
-
-/// Smooth with the sheets that pay. All of them at first; as long as the worst element lies at sheets, again without one of these, the
-/// last inserted first, then without all of them, and the better mesh is kept. What is far from every sheet is not their doing: then
-/// nothing is tried. Where elements stay inverted, once without all the sheets there: such a mesh is seldom saved, and each trial of it is
-/// dear.
+/// Smooth with the sheets that pay.
 HexComplex smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shape, const SolidTask& task, Trials& trials) {
   Run& run = task.run;
-  const Geometry& geometry = task.part.geometry();
-  constexpr int kTrials = 6;
-  SmoothOptions smoothing;
-  smoothing.size = run.options.size;
-  smoothing.threads = run.options.threads;
-  SheetOptions sheets;
-  sheets.size = run.options.size;
-  sheets.max_sheets = run.options.sheets ? sheets.max_sheets : 0;
   Result& result = run.result;
-
-  HexComplex best;
-  std::vector<std::vector<int>> suspects, together;  // names; the next one to leave out last
-  for (int trial = 0; trial < kTrials; ++trial) {
-    SheetOptions tried = sheets;
-    if (trial > 0) {
-      if (suspects.empty()) suspects.swap(together);
-      if (suspects.empty()) break;
-      const bool all = result.smoothing.inverted > 0 || together.empty();
-      const auto first = all ? suspects.begin() : suspects.end() - 1;
-      tried.without.insert(tried.without.end(), first, suspects.end());
-      suspects.erase(first, suspects.end());
-      if (all) together.clear();
-    }
+  const Geometry& geometry = task.part.geometry();
+  const auto mesh_without = [&](const SheetNames& without) {
+    SheetOptions sheets;
+    sheets.size = run.options.size;
+    sheets.max_sheets = run.options.sheets ? sheets.max_sheets : 0;
+    sheets.without = without;
+    SmoothOptions smoothing;
+    smoothing.size = run.options.size;
+    smoothing.threads = run.options.threads;
     run.begin("sheets");
-    HexComplex complex = fitted;
-    SheetReport report = insert_sheets(complex, shape, geometry, tried, run.context);
-    report.taken_back = static_cast<int>(tried.without.size());
-    if (trial == 0) result.mesh = complex;
-    if (trial == 0 && run.options.sheets) run.complete();
+    SheetTrial trial;
+    trial.mesh = fitted;
+    trial.sheets = insert_sheets(trial.mesh, shape, geometry, sheets, run.context);
+    trial.sheets.taken_back = static_cast<int>(without.size());
+    if (without.empty()) result.mesh = trial.mesh;
+    if (without.empty() && run.options.sheets) run.complete();
     run.begin("smooth");
-    const SmoothReport smoothed = smooth(complex, *geometry.projector, smoothing, run.context);
-    run.context.log("with " + std::to_string(report.inserted) + " sheets: min SJ " + std::to_string(smoothed.min_sj));
-    const Worth worth = smoothed.inverted == 0 ? worth_of(complex, smoothed, task) : Worth{};
-    if (smoothed.inverted > 0) trials.vain += complex.hex_count();
-    if (trial > 0 && !is_better(smoothed, worth, result.smoothing, trials.worth)) continue;
-    suspects.clear();
-    if (smoothed.inverted > 0 || smoothed.min_sj < kGoodEnough)
-      for (int s : sheets_near(complex, report, proved_scaled_jacobians(complex.points, complex.hexes), smoothed.min_sj + 1e-6))
-        suspects.push_back(report.names[s]);
-    together = suspects.size() > 1 ? suspects : std::vector<std::vector<int>>{};
-    sheets = std::move(tried);
-    best = std::move(complex);
-    result.sheets = std::move(report);
-    result.smoothing = smoothed;
-    trials.worth = worth;
-    if (smoothed.inverted > 0 && trials.once) break;
-    if (worth.edges_lost && run.options.method == "auto") break;  // no choice of sheets mends that; the next method may
-  }
-  return best;
+    trial.smoothing = smooth(trial.mesh, *geometry.projector, smoothing, run.context);
+    run.context.log("with " + std::to_string(trial.sheets.inserted) + " sheets: min SJ " + std::to_string(trial.smoothing.min_sj));
+    if (trial.smoothing.inverted == 0) trial.worth = worth_of(trial.mesh, trial.smoothing, task);
+    if (trial.smoothing.inverted > 0) trials.vain += trial.mesh.hex_count();
+    for (int s :
+         sheets_near(trial.mesh, trial.sheets, proved_scaled_jacobians(trial.mesh.points, trial.mesh.hexes), trial.smoothing.min_sj + 1e-6))
+      trial.suspects.push_back(trial.sheets.names[s]);
+    return trial;
+  };
+  SheetTrial best = try_sheets(mesh_without, {trials.once, run.options.method == "auto"});
+  result.sheets = std::move(best.sheets);
+  result.smoothing = best.smoothing;
+  return std::move(best.mesh);
 }
 
 /// Marks the points of the elements that are not proved positive.
