@@ -67,7 +67,8 @@ def main():
             lines = run.stderr.splitlines()
             bad = bool(FINDING.search(run.stderr)) or run.returncode not in (*SAID, 130)
             findings += bad
-            print(f"{'FINDING' if bad else 'ok':8s}{part.name:32s} {method:10s} exit {run.returncode}  {time.monotonic() - started:6.1f} s  "
+            seconds = time.monotonic() - started
+            print(f"{'FINDING' if bad else 'ok':8s}{part.name:32s} {method:10s} exit {run.returncode}  {seconds:6.1f} s  "
                   f"{lines[-1][:90] if lines and run.returncode else ''}", flush=True)
             if bad:
                 print("\n".join(lines[:60]), flush=True)
