@@ -64,7 +64,7 @@ class Remesher {
   void collapse_short(Context& context);
   void flip_all(Context& context);
 
-  const Geometry& geometry_;
+  Geometry geometry_;  // by value: callers make one on the spot
   double tiny_;
   std::vector<Vec3> points_;
   std::vector<CadPlace> place_;
