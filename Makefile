@@ -7,7 +7,7 @@ FREECAD := QT_QPA_PLATFORM=offscreen PYTHONPATH=/usr/lib/freecad-python3/lib:/us
 
 cpp_files = $(shell git ls-files 'cpp/*.cpp' 'cpp/*.h' 'tests/cpp/*.cpp' 'tests/cpp/*.h' 'tests/fuzz/*.cpp')
 
-.PHONY: help deps build demo gallery bench test test-cpp test-freecad test-python test-gui test-gui-others gui-pictures translations lint tidy format wheel bundled-wheel clean fuzz verification
+.PHONY: help deps build demo gallery bench test test-cpp test-freecad test-python test-gui test-gui-others gui-pictures translations lint tidy format wheel bundled-wheel clean fuzz sanitize verification
 .NOTPARALLEL:
 
 help:  ## this list
@@ -61,6 +61,11 @@ fuzz:  ## libFuzzer on the readers and the options, FUZZ_SECONDS each (60); new 
 	cmake --preset fuzz >/dev/null
 	cmake --build build-fuzz --target triangles_fuzz brep_fuzz step_fuzz options_fuzz
 	tests/fuzz/run.sh $(FUZZ_SECONDS)
+
+sanitize: deps  ## address and undefined-behaviour sanitizers over C++ tests, Python tests and parts, in out/sanitize (hours)
+	cmake --preset sanitize >/dev/null
+	cmake --build build-sanitize
+	tests/sanitize.sh out/sanitize
 
 verification: build  ## known solutions, loads and FreeCAD's own examples; writes docs/verification.md, fails when a figure is not met
 	$(PYTHON) benchmarks/verification/everything.py out/verification

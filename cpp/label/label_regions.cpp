@@ -32,7 +32,9 @@ LabelResult label_regions(const SurfaceMesh& mesh, const Geometry& geometry, con
     }
     const Regions& regions = tree.regions(cutting);
     const LabelledSurface surface = labelled(regions, labels);
+    context.check();
     FeatureShape shape = make_feature_shape(surface);
+    context.check();
     if (!check_validity(shape, options.size).valid()) return result;
     const FillOutcome outcome = fill(surface.mesh, shape, thorough);
     result.ok = outcome.ok;

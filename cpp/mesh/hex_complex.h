@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "base/context.h"
 #include "base/types.h"
 #include "mesh/surface_mesh.h"
 
@@ -56,7 +57,25 @@ inline constexpr std::array<std::array<int, 2>, 12> kHexEdges{
 inline constexpr std::array<std::array<int, 4>, 8> kHexCorners{
     {{0, 1, 3, 4}, {1, 2, 0, 5}, {2, 3, 1, 6}, {3, 0, 2, 7}, {4, 7, 5, 0}, {5, 4, 6, 1}, {6, 5, 7, 2}, {7, 6, 4, 3}}};
 
-/// Boundary faces of the hexahedra: per face {hex, local face 0..5}, in (hex, face) order.
-std::vector<std::array<int, 2>> boundary_faces(const HexComplex& complex);
+/// The other side of every element face, as 6 * hex + local face.
+struct FaceMates {
+  static constexpr int kBoundary = -1;  ///< the face has one element
+  static constexpr int kCrowded = -2;   ///< three or more elements, or a neighbour that lies on the same side or is twisted
+  std::vector<int> mate;                ///< per 6 * hex + face
+};
+/// Requires node indices within range. Linear time: faces are bucketed by their smallest node.
+FaceMates match_faces(const HexComplex& complex, const Context& context = {});
+
+/// The four nodes of face 6 * hex + local face, outward.
+inline std::array<int, 4> face_nodes(const HexComplex& complex, int face) {
+  const auto& hex = complex.hexes[face / 6];
+  const auto& local = kHexFaces[face % 6];
+  return {hex[local[0]], hex[local[1]], hex[local[2]], hex[local[3]]};
+}
+/// Whether b runs through the nodes of a in the same (`step` 1) or the opposite (`step` 3) cyclic order.
+bool same_cycle(const std::array<int, 4>& a, const std::array<int, 4>& b, int step);
+
+/// Faces that no other element has: per face {hex, local face 0..5}, in (hex, face) order. Requires node indices within range.
+std::vector<std::array<int, 2>> boundary_faces(const HexComplex& complex, const Context& context = {});
 
 }  // namespace hexfeature

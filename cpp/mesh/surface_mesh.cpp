@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "mesh/buckets.h"
 
 namespace hexfeature {
 
@@ -29,35 +30,30 @@ double SurfaceMesh::dihedral(int h) const {
   return std::atan2(e.dot(a.cross(b)), a.dot(b));
 }
 
-void connect(SurfaceMesh& mesh) {
+void connect(SurfaceMesh& mesh, const Context& context) {
   const int n = 3 * mesh.triangle_count();
-  struct Key {
-    int lo, hi, halfedge;
-  };
-  std::vector<Key> keys(n);
-  for (int h = 0; h < n; ++h) {
-    const int a = mesh.from(h), b = mesh.to(h);
-    keys[h] = {std::min(a, b), std::max(a, b), h};
-  }
-  std::sort(keys.begin(), keys.end(), [](const Key& x, const Key& y) {
-    return x.lo != y.lo ? x.lo < y.lo : x.hi != y.hi ? x.hi < y.hi : x.halfedge < y.halfedge;
-  });
+  const auto low = [&](int h) { return std::min(mesh.from(h), mesh.to(h)); };
+  const auto high = [&](int h) { return std::max(mesh.from(h), mesh.to(h)); };
   mesh.opposite.assign(n, -1);
   const auto fail = [&](const char* reason, int h) {
     const int face = mesh.triangle_face.empty() ? 0 : mesh.triangle_face[h / 3];
     throw MeshingError(Failure::BadInput, "surface", reason, "the part must be a closed solid; try repairing it",
                        face > 0 ? std::vector<int>{face} : std::vector<int>{});
   };
-  for (int i = 0; i < n; i += 2) {
-    const Key& k = keys[i];
-    if (i + 1 >= n || keys[i + 1].lo != k.lo || keys[i + 1].hi != k.hi)
-      fail("the surface has a hole (a triangle edge with one side)", k.halfedge);
-    if (i + 2 < n && keys[i + 2].lo == k.lo && keys[i + 2].hi == k.hi)
-      fail("a triangle edge belongs to more than two triangles", k.halfedge);
-    const int g = keys[i + 1].halfedge;
-    if (mesh.from(k.halfedge) == mesh.from(g)) fail("neighbouring triangles are oriented against each other", k.halfedge);
-    mesh.opposite[k.halfedge] = g;
-    mesh.opposite[g] = k.halfedge;
+  Buckets halfedges(mesh.point_count(), n, low);
+  for (int v = 0; v < mesh.point_count(); ++v) {
+    if (v % 8192 == 0) context.check();
+    const auto begin = halfedges.item.begin() + halfedges.start[v], end = halfedges.item.begin() + halfedges.start[v + 1];
+    std::sort(begin, end, [&](int g, int h) { return high(g) != high(h) ? high(g) < high(h) : g < h; });
+    for (auto it = begin; it != end; it += 2) {
+      const int h = *it;
+      if (it + 1 == end || high(*(it + 1)) != high(h)) fail("the surface has a hole (a triangle edge with one side)", h);
+      if (it + 2 != end && high(*(it + 2)) == high(h)) fail("a triangle edge belongs to more than two triangles", h);
+      const int g = *(it + 1);
+      if (mesh.from(h) == mesh.from(g)) fail("neighbouring triangles are oriented against each other", h);
+      mesh.opposite[h] = g;
+      mesh.opposite[g] = h;
+    }
   }
   // One fan of triangles round each point: all that walks round a point relies on it.
   std::vector<char> known(mesh.points.size(), 0), walked(n, 0);

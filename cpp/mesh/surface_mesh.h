@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "base/context.h"
 #include "base/types.h"
 
 namespace hexfeature {
@@ -54,7 +55,7 @@ struct SurfaceMesh {
 };
 
 /// Fill `opposite` from `triangles`. Throws MeshingError(BadInput, "surface") when the mesh is not a closed oriented 2-manifold.
-void connect(SurfaceMesh& mesh);
+void connect(SurfaceMesh& mesh, const Context& context = {});
 
 /// Signed volume enclosed (positive for outward orientation).
 double enclosed_volume(const SurfaceMesh& mesh);

@@ -95,15 +95,15 @@ Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3
   return result(1 - vb / sum - vc / sum, vb / sum, vc / sum);
 }
 
-TriangleTree::TriangleTree(const SurfaceMesh& mesh) {
+TriangleTree::TriangleTree(const SurfaceMesh& mesh, const Context& context) {
   std::vector<int> all(mesh.triangle_count());
   std::iota(all.begin(), all.end(), 0);
-  build(mesh, std::move(all));
+  build(mesh, std::move(all), context);
 }
 
-TriangleTree::TriangleTree(const SurfaceMesh& mesh, const std::vector<int>& triangles) { build(mesh, triangles); }
+TriangleTree::TriangleTree(const SurfaceMesh& mesh, const std::vector<int>& triangles) { build(mesh, triangles, {}); }
 
-void TriangleTree::build(const SurfaceMesh& mesh, std::vector<int> triangles) {
+void TriangleTree::build(const SurfaceMesh& mesh, std::vector<int> triangles, const Context& context) {
   if (triangles.empty()) return;
   std::vector<Vec3> centre(mesh.triangle_count());
   for (int t : triangles) centre[t] = mesh.centroid(t);
@@ -117,6 +117,7 @@ void TriangleTree::build(const SurfaceMesh& mesh, std::vector<int> triangles) {
     const Range r = stack.back();
     stack.pop_back();
     const int index = static_cast<int>(nodes_.size());
+    if (index % 4096 == 0) context.check();
     if (r.parent >= 0) nodes_[r.parent].first = index;
     Node node;
     Box centres;

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/context.h"
 #include "base/types.h"
 #include "mesh/surface_mesh.h"
 
@@ -39,7 +40,7 @@ Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3
 class TriangleTree {
  public:
   TriangleTree() = default;
-  explicit TriangleTree(const SurfaceMesh& mesh);
+  explicit TriangleTree(const SurfaceMesh& mesh, const Context& context = {});
   TriangleTree(const SurfaceMesh& mesh, const std::vector<int>& triangles);
 
   bool empty() const { return nodes_.empty(); }
@@ -73,7 +74,7 @@ class TriangleTree {
     Box box;
     int first = 0, count = 0;
   };
-  void build(const SurfaceMesh& mesh, std::vector<int> triangles);
+  void build(const SurfaceMesh& mesh, std::vector<int> triangles, const Context& context);
 
   std::vector<Node> nodes_;
   std::vector<std::array<Vec3, 3>> corners_;  ///< in leaf order

@@ -42,7 +42,7 @@ std::vector<double> gaps(const HexComplex& mesh, const SurfaceMesh& surface, con
   std::vector<double> gap(faces + 1, 0);
   if (quads.triangles.empty()) return gap;
   context.check();
-  const TriangleTree tree(quads);
+  const TriangleTree tree(quads, context);
   const std::vector<char> telling = telling_points(surface, geometry);
   const auto look = [&](int face, const Vec3& p) {
     const ClosestPoint c = tree.closest_if(p, [&](int t) { return mesh.quad_face[t / 2] == face; });

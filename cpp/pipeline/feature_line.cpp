@@ -8,26 +8,16 @@
 #include <utility>
 
 #include "fit/fit.h"
+#include "pipeline/sheet_trials.h"
 
 namespace hexfeature {
 namespace {
-
-/// A mesh whose worst element is below this is worth a second try without (or with fewer) sheets.
-constexpr double kGoodEnough = 0.5;
 
 /// With another method to come, elements of all the meshes of one labelling that stay inverted before it is given up.
 constexpr int kVainWork = 15000;
 
 /// A mesh that lost this much (Worth::lost) is not mended by a few lines more.
 constexpr double kHopeless = 0.2;
-
-/// What the meshes of one labelling came to so far.
-struct Trials {
-  Worth worth;        ///< of the last one kept; nothing is known of those with inverted elements
-  int vain = 0;       ///< elements of all those that stayed inverted
-  bool once = false;  ///< one that stays inverted is not tried with fewer sheets
-  int most = 6;       ///< choices of sheets tried
-};
 
 std::vector<int> cad_faces_of(const FeatureShape& shape, const std::vector<int>& charts) {
   std::set<int> faces;
@@ -81,70 +71,37 @@ void require_valid(const LabelResult& labels) {
                      "try a smaller element size, or simplify the faces named", cad_faces_of(labels.shape, worst.charts));
 }
 
-/// Whether a smoothed mesh is worth more: fewer inverted elements, or keeping more of the part, or a worst element better by what can be
-/// seen. What it keeps is not known of meshes with inverted elements.
-bool is_better(const SmoothReport& a, const Worth& worth_a, const SmoothReport& b, const Worth& worth_b) {
-  constexpr double kSeen = 0.005;
-  if (a.inverted != b.inverted) return a.inverted < b.inverted;
-  if (worth_a.faithful != worth_b.faithful) return worth_a.faithful;
-  if (a.inverted == 0 && !worth_a.faithful && worth_a.lost != worth_b.lost) return worth_a.lost < worth_b.lost;
-  return a.min_sj > b.min_sj + kSeen;
-}
-
-/// Smooth with the sheets that pay. All of them at first; as long as the worst element lies at sheets, again without one of these, the
-/// last inserted first, then without all of them, and the better mesh is kept. What is far from every sheet is not their doing: then
-/// nothing is tried. Where elements stay inverted, once without all the sheets there: such a mesh is seldom saved, and each trial of it is
-/// dear.
-HexComplex smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shape, const SolidTask& task, Trials& trials) {
+/// The fitted lattice with the sheets that pay, smoothed. `vain` counts the elements of all meshes that stayed inverted.
+SheetTrial smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shape, const SolidTask& task, const SheetRules& rules,
+                              int& vain) {
   Run& run = task.run;
   const Geometry& geometry = task.part.geometry();
-  SmoothOptions smoothing;
-  smoothing.size = run.options.size;
-  smoothing.threads = run.options.threads;
-  SheetOptions sheets;
-  sheets.size = run.options.size;
-  sheets.max_sheets = run.options.sheets ? sheets.max_sheets : 0;
-  Result& result = run.result;
-
-  HexComplex best;
-  std::vector<std::vector<int>> suspects, together;  // names; the next one to leave out last
-  for (int trial = 0; trial < trials.most; ++trial) {
-    SheetOptions tried = sheets;
-    if (trial > 0) {
-      if (suspects.empty()) suspects.swap(together);
-      if (suspects.empty()) break;
-      const bool all = result.smoothing.inverted > 0 || together.empty();
-      const auto first = all ? suspects.begin() : suspects.end() - 1;
-      tried.without.insert(tried.without.end(), first, suspects.end());
-      suspects.erase(first, suspects.end());
-      if (all) together.clear();
-    }
+  const auto mesh_without = [&](const SheetNames& without) {
+    SheetOptions sheets;
+    sheets.size = run.options.size;
+    sheets.max_sheets = run.options.sheets ? sheets.max_sheets : 0;
+    sheets.without = without;
+    SmoothOptions smoothing;
+    smoothing.size = run.options.size;
+    smoothing.threads = run.options.threads;
     run.begin("sheets");
-    HexComplex complex = fitted;
-    SheetReport report = insert_sheets(complex, shape, geometry, tried, run.context);
-    report.taken_back = static_cast<int>(tried.without.size());
-    if (trial == 0) result.mesh = complex;
-    if (trial == 0 && run.options.sheets) run.complete();
+    SheetTrial trial;
+    trial.mesh = fitted;
+    trial.sheets = insert_sheets(trial.mesh, shape, geometry, sheets, run.context);
+    trial.sheets.taken_back = static_cast<int>(without.size());
+    if (without.empty()) run.result.mesh = trial.mesh;
+    if (without.empty() && run.options.sheets) run.complete();
     run.begin("smooth");
-    const SmoothReport smoothed = smooth(complex, *geometry.projector, smoothing, run.context);
-    run.context.log("with " + std::to_string(report.inserted) + " sheets: min SJ " + std::to_string(smoothed.min_sj));
-    const Worth worth = smoothed.inverted == 0 ? worth_of(complex, smoothed, task) : Worth{};
-    if (smoothed.inverted > 0) trials.vain += complex.hex_count();
-    if (trial > 0 && !is_better(smoothed, worth, result.smoothing, trials.worth)) continue;
-    suspects.clear();
-    if (smoothed.inverted > 0 || smoothed.min_sj < kGoodEnough)
-      for (int s : sheets_near(complex, report, proved_scaled_jacobians(complex.points, complex.hexes), smoothed.min_sj + 1e-6))
-        suspects.push_back(report.names[s]);
-    together = suspects.size() > 1 ? suspects : std::vector<std::vector<int>>{};
-    sheets = std::move(tried);
-    best = std::move(complex);
-    result.sheets = std::move(report);
-    result.smoothing = smoothed;
-    trials.worth = worth;
-    if (smoothed.inverted > 0 && trials.once) break;
-    if (worth.edges_lost && run.options.method == "auto") break;  // no choice of sheets mends that; the next method may
-  }
-  return best;
+    trial.smoothing = smooth(trial.mesh, *geometry.projector, smoothing, run.context);
+    run.context.log("with " + std::to_string(trial.sheets.inserted) + " sheets: min SJ " + std::to_string(trial.smoothing.min_sj));
+    if (trial.smoothing.inverted == 0) trial.worth = worth_of(trial.mesh, trial.smoothing, task);
+    if (trial.smoothing.inverted > 0) vain += trial.mesh.hex_count();
+    for (int s :
+         sheets_near(trial.mesh, trial.sheets, proved_scaled_jacobians(trial.mesh.points, trial.mesh.hexes), trial.smoothing.min_sj + 1e-6))
+      trial.suspects.push_back(trial.sheets.names[s]);
+    return trial;
+  };
+  return try_sheets(mesh_without, rules);
 }
 
 /// Marks the points of the elements that are not proved positive.
@@ -218,26 +175,21 @@ HexComplex fit_and_smooth(const HexComplex& lattice, const SurfaceMesh& mesh, co
   fit.size = run.options.size;
   fit.smooth_edges = run.options.capture == "all";
   fit.free_turns = run.options.sheets;
-  Trials trials;
+  SheetRules rules;
+  rules.another_way = run.options.method == "auto";
+  int vain = 0;
   // A mesh that is not faithful: once more, with paths of any turns for what it lost; kept when it is better.
-  const auto insist = [&](HexComplex& complex, const Trials& so_far) {
+  const auto insist = [&](SheetTrial& best) {
     FitOptions stubborn = fit;
-    stubborn.insisted = edges_to_insist_on(so_far.worth, geometry);
-    HexComplex other = lattice;
+    stubborn.insisted = edges_to_insist_on(best.worth, geometry);
+    SheetRules quick = rules;
+    quick.once = true;
+    quick.most = 2;
     run.begin("fit");
-    const SheetReport sheets = run.result.sheets;
-    const SmoothReport smoothing = run.result.smoothing;
-    fit_boundary(other, mesh, shape, geometry, stubborn, run.context);
-    Trials insisted;
-    insisted.once = true;
-    insisted.most = 2;
-    other = smooth_with_sheets(other, shape, task, insisted);
-    if (is_better(run.result.smoothing, insisted.worth, smoothing, so_far.worth)) {
-      complex = std::move(other);
-      return;
-    }
-    run.result.sheets = sheets;
-    run.result.smoothing = smoothing;
+    HexComplex complex = lattice;
+    fit_boundary(complex, mesh, shape, geometry, stubborn, run.context);
+    SheetTrial other = smooth_with_sheets(complex, shape, task, quick, vain);
+    if (is_better(other, best)) best = std::move(other);
   };
   for (int round = 1, least = std::numeric_limits<int>::max();; ++round) {
     run.begin("fit");
@@ -245,22 +197,22 @@ HexComplex fit_and_smooth(const HexComplex& lattice, const SurfaceMesh& mesh, co
     const int turned = fit_boundary(complex, mesh, shape, geometry, fit, run.context);
     run.result.mesh = complex;
     run.complete();
-    trials.once = turned > 0;
-    complex = smooth_with_sheets(complex, shape, task, trials);
-    const int inverted = run.result.smoothing.inverted;
+    rules.once = turned > 0;
+    SheetTrial best = smooth_with_sheets(complex, shape, task, rules, vain);
+    const int inverted = best.smoothing.inverted;
     if (turned > 0 && inverted > 0) {
       fit.free_turns = false;
       --round;
       continue;
     }
-    if (inverted == 0) {
-      if (!trials.worth.faithful && trials.worth.lost < kHopeless && fit.free_turns) insist(complex, trials);
-      return complex;
-    }
+    if (inverted == 0 && !best.worth.faithful && best.worth.lost < kHopeless && fit.free_turns) insist(best);
+    complex = std::move(best.mesh);
+    run.result.sheets = std::move(best.sheets);
+    run.result.smoothing = best.smoothing;
+    if (inverted == 0) return complex;
     std::vector<int> released = fit.released;
     for (int e : edges_to_release(complex, geometry)) released.push_back(e);
-    const bool vain = run.options.method == "auto" && trials.vain > kVainWork;
-    if (round == kRounds || vain || inverted >= least || released.size() == fit.released.size()) {
+    if (round == kRounds || (rules.another_way && vain > kVainWork) || inverted >= least || released.size() == fit.released.size()) {
       run.result.mesh = complex;
       throw MeshingError(Failure::NoMesh, "smooth", std::to_string(inverted) + " elements stay inverted or folded",
                          "try another element size, or simplify the faces named", faces_near_inverted(complex));

@@ -112,7 +112,8 @@ AxisRays sample_axis_rays(const SurfaceMesh& mesh, int count, Context& context) 
     all[t] = t;
     total += mesh.area(t);
   }
-  const TriangleTree tree(mesh);
+  context.check();
+  const TriangleTree tree(mesh, context);
   Random random(1);
   std::vector<RayHit> hits;
   int done = 0;

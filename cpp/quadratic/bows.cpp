@@ -139,6 +139,7 @@ Bows place_mid_sides(const HexComplex& complex, const MeshEdges& edges, const Pr
   for (std::size_t q = 0; q < complex.quads.size(); ++q)
     for (int e : edges.of_quad[q])
       if (bows.place[e].dim > 2 && complex.quad_face[q] > 0) bows.place[e] = {2, complex.quad_face[q], Vec2::Zero()};
+  context.check();
   for (std::size_t i = 0; i < complex.feature_edges.size(); ++i) {
     if (complex.feature_edge_cad[i] <= 0) continue;
     if (i % 256 == 0) context.check();
@@ -149,6 +150,7 @@ Bows place_mid_sides(const HexComplex& complex, const MeshEdges& edges, const Pr
   }
   bend_along_faces(complex, edges, projector, bows, context);
 
+  context.check();
   std::vector<Pair> pairs;
   pairs.reserve(12 * edges.of_hex.size());
   for (const auto& e : edges.of_hex)

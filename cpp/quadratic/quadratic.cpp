@@ -55,7 +55,7 @@ class BackOff {
   std::vector<int> bad_where(const Where& where) const {
     std::vector<int> result;
     for (int h = 0; h < complex_.hex_count(); ++h) {
-      if (h % 1024 == 0) context_.check();
+      if (h % 256 == 0) context_.check();
       if (where(h) && !straight(h) && !proves_positive(bent_element(complex_, edges_, bows_, h))) result.push_back(h);
     }
     return result;
@@ -124,7 +124,7 @@ double on_cad_tolerance(const Bows& bows, int e) {
 
 QuadraticMesh make_quadratic(const HexComplex& complex, const Projector& projector, Context& context) {
   QuadraticMesh result;
-  const MeshEdges edges = number_edges(complex);
+  const MeshEdges edges = number_edges(complex, context);
   Bows bows = place_mid_sides(complex, edges, projector, context);
 
   BackOff back_off(complex, edges, bows, context);
@@ -138,6 +138,7 @@ QuadraticMesh make_quadratic(const HexComplex& complex, const Projector& project
   const int first_mid = complex.point_count();
   std::vector<char> off_cad(edges.count(), 0);
   for (int e = 0; e < edges.count(); ++e) {
+    if (e % 1024 == 0) context.check();
     // One that slid has its new parameters. One that was let off, or went back to the chord, may be on a straight curve or a plane
     // still, but far from its old ones.
     const bool let_off = bows.place[e].dim == 3;
@@ -163,7 +164,7 @@ QuadraticMesh make_quadratic(const HexComplex& complex, const Projector& project
   result.least_jacobian = std::numeric_limits<double>::max();
   result.hexes.resize(complex.hexes.size());
   for (int h = 0; h < complex.hex_count(); ++h) {
-    if (h % 1024 == 0) context.check();
+    if (h % 256 == 0) context.check();
     result.least_jacobian = std::min(result.least_jacobian, least_jacobian(bent_element(complex, edges, bows, h)));
     std::copy(complex.hexes[h].begin(), complex.hexes[h].end(), result.hexes[h].begin());
     for (int e = 0; e < 12; ++e) result.hexes[h][8 + e] = first_mid + edges.of_hex[h][e];

@@ -51,8 +51,10 @@ class Unfolding {
       }
       make_unique(touched);
       bad.clear();
-      for (int h : touched)
+      for (int h : touched) {
+        context_.check();
         if (!proves_positive(bent_element(complex_, edges_, bows_, h))) bad.push_back(h);
+      }
       if (gained_ < kGain * lacked_) break;
     }
     return bad;

@@ -143,7 +143,7 @@ QualityReport measure_quality(const HexComplex& complex, const Projector& projec
   report.worst_hexes.assign(order.begin(), order.begin() + count);
 
   context.check();
-  report.skin = measure_skin(complex);
+  report.skin = measure_skin(complex, context);
 
   if (complex.place.size() == complex.points.size())
     for (int v = 0; v < report.points; ++v) {

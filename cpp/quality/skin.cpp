@@ -14,7 +14,7 @@ double degrees_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross
 
 }  // namespace
 
-SkinReport measure_skin(const HexComplex& complex) {
+SkinReport measure_skin(const HexComplex& complex, const Context& context) {
   SkinReport report;
   std::vector<char> on_boundary(complex.points.size(), 0);
   for (const auto& quad : complex.quads)
@@ -22,7 +22,8 @@ SkinReport measure_skin(const HexComplex& complex) {
   double lean = 0, thickness = 0;
   int leans = 0, quads = 0, warped = 0;
   report.min_thickness = std::numeric_limits<double>::infinity();
-  for (const auto& [h, f] : boundary_faces(complex)) {
+  for (const auto& [h, f] : boundary_faces(complex, context)) {
+    if (quads % 8192 == 0) context.check();
     const auto& hex = complex.hexes[h];
     const auto& face = kHexFaces[f];
     const auto at = [&](int corner) -> const Vec3& { return complex.points[hex[corner]]; };

@@ -12,6 +12,6 @@ struct SkinReport {
   double warped = 0;                             ///< fraction of the boundary quads with more than 15 degrees of it
 };
 /// Edges that lie on the boundary themselves do not count as inner ones: at a sharp edge of the part they say nothing of the mesh.
-SkinReport measure_skin(const HexComplex& complex);
+SkinReport measure_skin(const HexComplex& complex, const Context& context = {});
 
 }  // namespace hexfeature

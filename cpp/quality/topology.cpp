@@ -6,35 +6,12 @@
 #include <cmath>
 #include <cstdint>
 
+#include "mesh/buckets.h"
+
 namespace hexfeature {
 namespace {
 
 using Quad = std::array<int, 4>;
-
-Quad face_nodes(const HexComplex& complex, int face) {
-  const auto& hex = complex.hexes[face / 6];
-  const auto& local = kHexFaces[face % 6];
-  return {hex[local[0]], hex[local[1]], hex[local[2]], hex[local[3]]};
-}
-
-/// Whether b runs through the nodes of a in the same (`step` 1) or the opposite (`step` 3) cyclic order.
-bool same_cycle(const Quad& a, const Quad& b, int step) {
-  for (int s = 0; s < 4; ++s)
-    if (b[s] == a[0] && b[(s + step) % 4] == a[1] && b[(s + 2) % 4] == a[2] && b[(s + 3 * step) % 4] == a[3]) return true;
-  return false;
-}
-
-/// A list of items per key 0..n-1 in flat form; items of one key stay in their order.
-struct Buckets {
-  template <class KeyOf>
-  Buckets(int keys, int items, KeyOf key_of) : start(keys + 1, 0), item(items) {
-    for (int i = 0; i < items; ++i) ++start[key_of(i) + 1];
-    for (int k = 0; k < keys; ++k) start[k + 1] += start[k];
-    std::vector<int> next(start.begin(), start.end() - 1);
-    for (int i = 0; i < items; ++i) item[next[key_of(i)]++] = i;
-  }
-  std::vector<int> start, item;
-};
 
 MeshFault check_indices(const HexComplex& complex) {
   MeshFault fault{"elements or quads with nodes that do not exist or are repeated", 0, {}};
@@ -132,42 +109,13 @@ MeshFault check_manifold(const HexComplex& complex) {
 
 }  // namespace
 
-FaceMates match_faces(const HexComplex& complex) {
-  const int n = complex.point_count(), faces = 6 * complex.hex_count();
-  std::vector<Quad> sorted(faces);
-  for (int f = 0; f < faces; ++f) {
-    sorted[f] = face_nodes(complex, f);
-    std::sort(sorted[f].begin(), sorted[f].end());
-  }
-  const Buckets by_node(n, faces, [&](int f) { return sorted[f][0]; });
-  FaceMates result;
-  result.mate.assign(faces, FaceMates::kBoundary);
-  std::vector<int> bucket;
-  for (int v = 0; v < n; ++v) {
-    bucket.assign(by_node.item.begin() + by_node.start[v], by_node.item.begin() + by_node.start[v + 1]);
-    std::sort(bucket.begin(), bucket.end(), [&](int a, int b) { return sorted[a] != sorted[b] ? sorted[a] < sorted[b] : a < b; });
-    for (std::size_t i = 0; i < bucket.size();) {
-      std::size_t j = i + 1;
-      while (j < bucket.size() && sorted[bucket[j]] == sorted[bucket[i]]) ++j;
-      if (j == i + 2 && same_cycle(face_nodes(complex, bucket[i]), face_nodes(complex, bucket[i + 1]), 3)) {
-        result.mate[bucket[i]] = bucket[i + 1];
-        result.mate[bucket[i + 1]] = bucket[i];
-      } else if (j > i + 1) {
-        for (std::size_t k = i; k < j; ++k) result.mate[bucket[k]] = FaceMates::kCrowded;
-      }
-      i = j;
-    }
-  }
-  return result;
-}
-
 MeshFault check_topology(const HexComplex& complex, Context& context) {
   MeshFault fault = check_indices(complex);
   if (fault.count) return fault;
   context.check();
   fault = check_unused(complex);
   if (fault.count) return fault;
-  const FaceMates faces = match_faces(complex);
+  const FaceMates faces = match_faces(complex, context);
   context.check();
   MeshFault crowded{"element faces that are not shared by exactly two elements from opposite sides", 0, {}};
   std::vector<int> boundary;

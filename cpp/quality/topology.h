@@ -20,15 +20,6 @@ struct MeshFault {
   }
 };
 
-/// The other side of every element face, as 6 * hex + local face.
-struct FaceMates {
-  static constexpr int kBoundary = -1;  ///< the face has one element
-  static constexpr int kCrowded = -2;   ///< three or more elements, or a neighbour that lies on the same side or is twisted
-  std::vector<int> mate;                ///< per 6 * hex + face
-};
-/// Requires node indices within range. Linear time: faces are bucketed by their smallest node.
-FaceMates match_faces(const HexComplex& complex);
-
 /// All topological conditions of the certificate, in order; the first kind of fault found, or count = 0.
 /// Safe on any input: indices are checked first.
 MeshFault check_topology(const HexComplex& complex, Context& context);

@@ -26,21 +26,31 @@ int across(const std::array<int, 8>& nodes, int f, int a, int b) {
 class Inserter {
  public:
   Inserter(const HexComplex& complex, const HexTopology& topology, const FeatureShape& shape, const Geometry& geometry,
-           const ShrinkSet& set, double thickness)
-      : old_(complex), topology_(topology), shape_(shape), geometry_(geometry), set_(set), thickness_(thickness), result_(complex) {}
+           const ShrinkSet& set, double thickness, const Context& context)
+      : old_(complex),
+        topology_(topology),
+        shape_(shape),
+        geometry_(geometry),
+        set_(set),
+        thickness_(thickness),
+        context_(context),
+        result_(complex) {}
 
   LayerRefusal run(HexComplex& complex) {
     collect_sheet();
     if (sheet_.empty()) return {"the sheet would be empty", {}};
+    context_.check();
     collect_copies();
+    context_.check();
     for (const Copy& c : copies_) add_node(c);
     if (refusal_.refused()) return refusal_;
+    context_.check();
     add_layer();
     move_quads();
     move_feature_edges();
     check_curves();
     if (refusal_.refused()) return refusal_;
-    const std::string wrong = check_complex(result_);
+    const std::string wrong = check_complex(result_, context_);
     if (!wrong.empty()) return {wrong, {}};
     complex = std::move(result_);
     return {};
@@ -400,6 +410,7 @@ class Inserter {
   const Geometry& geometry_;
   const ShrinkSet& set_;
   double thickness_;
+  const Context& context_;
   HexComplex result_;
   std::vector<int> sheet_;  // sides of shrinking hexahedra that the sheet lies on
   std::vector<Copy> copies_;
@@ -410,8 +421,8 @@ class Inserter {
 }  // namespace
 
 LayerRefusal insert_layer(HexComplex& complex, const HexTopology& topology, const FeatureShape& shape, const Geometry& geometry,
-                          const ShrinkSet& set, const SheetOptions& options) {
-  return Inserter(complex, topology, shape, geometry, set, options.thickness).run(complex);
+                          const ShrinkSet& set, const SheetOptions& options, const Context& context) {
+  return Inserter(complex, topology, shape, geometry, set, options.thickness, context).run(complex);
 }
 
 }  // namespace hexfeature

@@ -46,7 +46,7 @@ bool touching(const HexComplex& complex, const HexTopology& topology, const Shee
 SheetGroup join_groups(const HexComplex& complex, const SheetGroup& first, const std::vector<SheetGroup>& groups,
                        const SheetOptions& options, Context& context) {
   context.check();
-  const HexTopology topology = make_topology(complex);
+  const HexTopology topology = make_topology(complex, context);
   SheetGroup joined = first;
   ShrinkSet set = choose_shrink_set(complex, topology, joined, options, context);
   for (const SheetGroup& other : groups) {
@@ -73,13 +73,13 @@ std::string insert_sheet(HexComplex& complex, const FeatureShape& shape, const G
                          const SheetOptions& options, Context& context, std::vector<int>* covered) {
   constexpr int kCuts = 12;
   context.check();
-  const HexTopology topology = make_topology(complex);
+  const HexTopology topology = make_topology(complex, context);
   std::vector<std::vector<int>> together;
   LayerRefusal refusal;
   for (int cut = 0; cut < kCuts; ++cut) {
     const ShrinkSet set = choose_shrink_set(complex, topology, group, options, context, together);
     if (!set.refusal.empty()) return refusal.refused() ? refusal.reason : set.refusal;
-    refusal = insert_layer(complex, topology, shape, geometry, set, options);
+    refusal = insert_layer(complex, topology, shape, geometry, set, options, context);
     if (!refusal.refused()) {
       if (!covered) return {};
       covered->clear();
@@ -103,7 +103,7 @@ SheetReport insert_sheets(HexComplex& complex, const FeatureShape& shape, const 
   std::vector<std::vector<int>> done = options.without;  // a refused group, or one still smooth after its sheet, is not tried again
   while (report.inserted < options.max_sheets) {
     context.progress("sheet", report.inserted / (report.inserted + 2.0));
-    const std::vector<SheetGroup> groups = find_sheet_groups(complex, geometry, options);
+    const std::vector<SheetGroup> groups = find_sheet_groups(complex, geometry, options, context);
     const auto next = std::find_if(groups.begin(), groups.end(),
                                    [&](const SheetGroup& g) { return std::find(done.begin(), done.end(), name_of(g)) == done.end(); });
     if (next == groups.end()) break;

@@ -49,7 +49,8 @@ std::vector<int> sheets_near(const HexComplex& complex, const SheetReport& repor
 
 /// Where O-grid sheets are needed (experiments B1): borders between charts with one cell inside (so that this cell would be
 /// flat), smooth in the fitted quads and not on a sharp CAD edge; joined to groups. The largest group first.
-std::vector<SheetGroup> find_sheet_groups(const HexComplex& complex, const Geometry& geometry, const SheetOptions& options);
+std::vector<SheetGroup> find_sheet_groups(const HexComplex& complex, const Geometry& geometry, const SheetOptions& options,
+                                          const Context& context);
 
 /// Insert one sheet for `group` (found in this very complex): choose the shrink set (minimum cut, experiments B2) and fill the
 /// gap it leaves (B3). Returns an empty string, or the reason why it was refused; then `complex` is as it was.

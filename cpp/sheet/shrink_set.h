@@ -46,6 +46,6 @@ struct LayerRefusal {
 /// Fill the gap between `set` and the rest with one hexahedron per face of the sheet (experiments B3). When it is refused, `complex` is as
 /// it was.
 LayerRefusal insert_layer(HexComplex& complex, const HexTopology& topology, const FeatureShape& shape, const Geometry& geometry,
-                          const ShrinkSet& set, const SheetOptions& options);
+                          const ShrinkSet& set, const SheetOptions& options, const Context& context);
 
 }  // namespace hexfeature

@@ -211,8 +211,9 @@ void find_turns(const HexComplex& complex, const HexTopology& topology, double d
 
 }  // namespace
 
-std::vector<SheetGroup> find_sheet_groups(const HexComplex& complex, const Geometry& geometry, const SheetOptions& options) {
-  const HexTopology topology = make_topology(complex);
+std::vector<SheetGroup> find_sheet_groups(const HexComplex& complex, const Geometry& geometry, const SheetOptions& options,
+                                          const Context& context) {
+  const HexTopology topology = make_topology(complex, context);
   std::vector<Border> borders = convex_borders(complex, topology);
   int chart_count = 0;
   for (int c : complex.quad_chart) chart_count = std::max(chart_count, c + 1);
@@ -237,7 +238,9 @@ std::vector<SheetGroup> find_sheet_groups(const HexComplex& complex, const Geome
   }
   std::stable_sort(groups.begin(), groups.end(),
                    [](const SheetGroup& a, const SheetGroup& b) { return a.smooth_edges.size() > b.smooth_edges.size(); });
+  context.check();
   find_floors(complex, topology, options.floor_angle, groups);
+  context.check();
   find_turns(complex, topology, options.floor_angle, groups);
   return groups;
 }

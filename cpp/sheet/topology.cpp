@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "base/error.h"
+#include "mesh/buckets.h"
 
 namespace hexfeature {
 namespace {
@@ -15,56 +17,35 @@ namespace {
 
 std::array<int, 2> ordered(int a, int b) { return a < b ? std::array<int, 2>{a, b} : std::array<int, 2>{b, a}; }
 
-struct FaceKey {
-  std::array<int, 4> nodes;  // sorted
-  int item;                  // side, or quad
-};
-
-bool operator<(const FaceKey& a, const FaceKey& b) { return a.nodes != b.nodes ? a.nodes < b.nodes : a.item < b.item; }
-
-std::vector<FaceKey> side_keys(const HexComplex& complex) {
-  std::vector<FaceKey> keys(6 * complex.hexes.size());
-  for (int h = 0; h < complex.hex_count(); ++h)
-    for (int f = 0; f < 6; ++f) {
-      FaceKey& k = keys[6 * h + f];
-      for (int i = 0; i < 4; ++i) k.nodes[i] = complex.hexes[h][kHexFaces[f][i]];
-      std::sort(k.nodes.begin(), k.nodes.end());
-      k.item = 6 * h + f;
+void match_sides(const HexComplex& complex, HexTopology& topology, const Context& context) {
+  constexpr const char* kNotTheBoundary = "the boundary quads are not the complex's boundary";
+  FaceMates faces = match_faces(complex, context);
+  topology.neighbour = std::move(faces.mate);
+  topology.quad_side.assign(complex.quads.size(), -1);
+  std::vector<int> boundary;
+  for (int s = 0; s < static_cast<int>(topology.neighbour.size()); ++s) {
+    if (topology.neighbour[s] == FaceMates::kCrowded) fail("hexahedra do not share a face in pairs, from opposite sides");
+    if (topology.neighbour[s] == FaceMates::kBoundary) boundary.push_back(s);
+  }
+  if (boundary.size() != complex.quads.size()) fail(kNotTheBoundary);
+  context.check();
+  const auto least = [](const std::array<int, 4>& nodes) { return *std::min_element(nodes.begin(), nodes.end()); };
+  const Buckets by_node(complex.point_count(), static_cast<int>(boundary.size()),
+                        [&](int i) { return least(face_nodes(complex, boundary[i])); });
+  for (int q = 0; q < static_cast<int>(complex.quads.size()); ++q) {
+    const int key = least(complex.quads[q]);
+    if (key < 0 || key >= complex.point_count()) fail(kNotTheBoundary);
+    for (int k = by_node.start[key]; k < by_node.start[key + 1] && topology.quad_side[q] < 0; ++k) {
+      const int side = boundary[by_node.item[k]];
+      if (topology.neighbour[side] != FaceMates::kBoundary || !same_cycle(complex.quads[q], face_nodes(complex, side), 1)) continue;
+      topology.neighbour[side] = -1 - q;
+      topology.quad_side[q] = side;
     }
-  std::sort(keys.begin(), keys.end());
-  return keys;
+    if (topology.quad_side[q] < 0) fail(kNotTheBoundary);
+  }
 }
 
-void match_faces(const HexComplex& complex, HexTopology& topology) {
-  const std::vector<FaceKey> sides = side_keys(complex);
-  std::vector<FaceKey> quads(complex.quads.size());
-  for (std::size_t q = 0; q < quads.size(); ++q) {
-    quads[q] = {complex.quads[q], static_cast<int>(q)};
-    std::sort(quads[q].nodes.begin(), quads[q].nodes.end());
-  }
-  std::sort(quads.begin(), quads.end());
-  topology.neighbour.assign(sides.size(), 0);
-  topology.quad_side.assign(quads.size(), -1);
-  std::size_t next_quad = 0;
-  for (std::size_t i = 0; i < sides.size();) {
-    std::size_t j = i + 1;
-    while (j < sides.size() && sides[j].nodes == sides[i].nodes) ++j;
-    if (j - i > 2) fail("a face belongs to more than two hexahedra");
-    if (j - i == 2) {
-      topology.neighbour[sides[i].item] = sides[i + 1].item;
-      topology.neighbour[sides[i + 1].item] = sides[i].item;
-    } else {
-      if (next_quad >= quads.size() || quads[next_quad].nodes != sides[i].nodes) fail("the boundary quads are not the complex's boundary");
-      topology.neighbour[sides[i].item] = -1 - quads[next_quad].item;
-      topology.quad_side[quads[next_quad].item] = sides[i].item;
-      ++next_quad;
-    }
-    i = j;
-  }
-  if (next_quad != quads.size()) fail("the boundary quads are not the complex's boundary");
-}
-
-void collect_edges(const HexComplex& complex, HexTopology& topology) {
+void collect_edges(const HexComplex& complex, HexTopology& topology, const Context& context) {
   struct Half {
     std::array<int, 2> nodes;
     int quad;
@@ -79,34 +60,34 @@ void collect_edges(const HexComplex& complex, HexTopology& topology) {
     }
   std::sort(halves.begin(), halves.end(),
             [](const Half& a, const Half& b) { return a.nodes != b.nodes ? a.nodes < b.nodes : a.forward > b.forward; });
+  context.check();
   topology.edges.reserve(halves.size() / 2);
+  topology.first_edge.assign(complex.points.size() + 1, 0);
   for (std::size_t i = 0; i < halves.size(); i += 2) {
     if (i + 1 >= halves.size() || halves[i].nodes != halves[i + 1].nodes || !halves[i].forward || halves[i + 1].forward ||
         (i + 2 < halves.size() && halves[i + 2].nodes == halves[i].nodes))
       fail("the boundary is not an oriented manifold");
     topology.edges.push_back({halves[i].nodes, {halves[i].quad, halves[i + 1].quad}, 0, 0});
+    ++topology.first_edge[halves[i].nodes[0] + 1];
   }
-  std::vector<char> on_boundary(complex.points.size(), 0);
-  for (const auto& q : complex.quads)
-    for (int v : q) on_boundary[v] = 1;
-  struct Use {
-    std::array<int, 2> nodes;
-    int hex;
-  };
-  std::vector<Use> uses;
-  for (int h = 0; h < complex.hex_count(); ++h)
-    for (const auto& e : kHexEdges) {
-      const int a = complex.hexes[h][e[0]], b = complex.hexes[h][e[1]];
-      if (on_boundary[a] && on_boundary[b]) uses.push_back({ordered(a, b), h});
+  for (std::size_t v = 0; v < complex.points.size(); ++v) topology.first_edge[v + 1] += topology.first_edge[v];
+  // The hexahedra round each, in their order: counted, then filled in.
+  const auto for_each_use = [&](const auto& visit) {
+    for (int h = 0; h < complex.hex_count(); ++h) {
+      if (h % 32768 == 0) context.check();
+      for (const auto& e : kHexEdges)
+        if (const auto* edge = topology.find_edge(complex.hexes[h][e[0]], complex.hexes[h][e[1]])) visit(edge - topology.edges.data(), h);
     }
-  std::sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) { return a.nodes != b.nodes ? a.nodes < b.nodes : a.hex < b.hex; });
-  std::size_t u = 0;
+  };
+  for_each_use([&](std::ptrdiff_t e, int) { ++topology.edges[e].count; });
+  int total = 0;
   for (auto& e : topology.edges) {
-    while (u < uses.size() && uses[u].nodes < e.nodes) ++u;
-    e.first = static_cast<int>(topology.edge_hexes.size());
-    for (; u < uses.size() && uses[u].nodes == e.nodes; ++u) topology.edge_hexes.push_back(uses[u].hex);
-    e.count = static_cast<int>(topology.edge_hexes.size()) - e.first;
+    e.first = total;
+    total += e.count;
+    e.count = 0;
   }
+  topology.edge_hexes.resize(total);
+  for_each_use([&](std::ptrdiff_t e, int h) { topology.edge_hexes[topology.edges[e].first + topology.edges[e].count++] = h; });
 }
 
 // The quads round every boundary node must be one fan.
@@ -133,34 +114,24 @@ bool manifold_at_nodes(const HexComplex& complex, const HexTopology& topology) {
   return true;
 }
 
-bool same_cycle(const std::array<int, 4>& a, const std::array<int, 4>& b) {
-  for (int s = 0; s < 4; ++s)
-    if (a[0] == b[s] && a[1] == b[(s + 1) % 4] && a[2] == b[(s + 2) % 4] && a[3] == b[(s + 3) % 4]) return true;
-  return false;
-}
-
-std::array<int, 4> side_nodes(const HexComplex& complex, int side) {
-  std::array<int, 4> nodes;
-  for (int i = 0; i < 4; ++i) nodes[i] = complex.hexes[side / 6][kHexFaces[side % 6][i]];
-  return nodes;
-}
-
 }  // namespace
 
 const HexTopology::Edge* HexTopology::find_edge(int a, int b) const {
   const std::array<int, 2> key = ordered(a, b);
-  const auto it = std::lower_bound(edges.begin(), edges.end(), key, [](const Edge& e, const std::array<int, 2>& k) { return e.nodes < k; });
-  return it != edges.end() && it->nodes == key ? &*it : nullptr;
+  if (key[0] < 0 || key[0] + 1 >= static_cast<int>(first_edge.size())) return nullptr;
+  for (int e = first_edge[key[0]]; e < first_edge[key[0] + 1]; ++e)
+    if (edges[e].nodes[1] == key[1]) return &edges[e];
+  return nullptr;
 }
 
-HexTopology make_topology(const HexComplex& complex) {
+HexTopology make_topology(const HexComplex& complex, const Context& context) {
   HexTopology topology;
-  match_faces(complex, topology);
-  collect_edges(complex, topology);
+  match_sides(complex, topology, context);
+  collect_edges(complex, topology, context);
   return topology;
 }
 
-std::string check_complex(const HexComplex& complex) {
+std::string check_complex(const HexComplex& complex, const Context& context) {
   if (complex.quad_chart.size() != complex.quads.size() || complex.quad_face.size() != complex.quads.size())
     return "quads without a chart or CAD face entry";
   if (complex.place.size() != complex.points.size()) return "nodes without a CAD place entry";
@@ -174,15 +145,10 @@ std::string check_complex(const HexComplex& complex) {
   }
   HexTopology topology;
   try {
-    topology = make_topology(complex);
+    topology = make_topology(complex, context);
   } catch (const MeshingError& e) {
+    if (e.kind == Failure::Cancelled) throw;
     return e.reason;
-  }
-  for (int s = 0; s < static_cast<int>(topology.neighbour.size()); ++s) {
-    const int other = topology.neighbour[s];
-    auto mine = side_nodes(complex, s), theirs = other >= 0 ? side_nodes(complex, other) : complex.quads[-1 - other];
-    if (other >= 0) std::reverse(theirs.begin(), theirs.end());
-    if (!same_cycle(mine, theirs)) return other >= 0 ? "neighbouring hexahedra are oriented against each other" : "a quad faces inward";
   }
   if (!manifold_at_nodes(complex, topology)) return "the boundary is not a manifold at a node";
   std::vector<char> use(complex.points.size(), 0);

@@ -104,7 +104,7 @@ SmoothReport smooth(HexComplex& mesh, const Projector& projector, const SmoothOp
   context.progress("smooth", 0);
   SmoothReport report;
   if (mesh.hexes.empty()) return report;
-  Workers workers(options.threads);
+  Workers workers(options.threads, context);
   SmoothSetting setting{projector,
                         options,
                         context,

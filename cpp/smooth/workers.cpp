@@ -46,7 +46,7 @@ struct Workers::State {
   }
 };
 
-Workers::Workers(int threads) : state_(new State) {
+Workers::Workers(int threads, const Context& context) : context_(context), state_(new State) {
   for (int i = 1; i < std::clamp(threads, 1, 64); ++i) {
     try {
       state_->threads.emplace_back([state = state_.get(), i] { state->work(i); });

@@ -300,6 +300,7 @@ bool Remesher::slide(int v, const LengthAt& length) {
 void Remesher::split_long(double factor, const LengthAt& length, Context& context) {
   std::vector<Ranked> queue;
   for (int round = 0; round < 20; ++round) {
+    context.check();
     queue.clear();
     for (int h = 0; h < static_cast<int>(opposite_.size()); ++h)
       if (alive(h / 3) && h < opposite_[h] && edge_length(h) > factor * wanted(h)) queue.push_back({edge_length(h) / wanted(h), h});
@@ -313,12 +314,14 @@ void Remesher::split_long(double factor, const LengthAt& length, Context& contex
 }
 
 void Remesher::collapse_short(Context& context) {
+  context.check();
   std::vector<Ranked> queue;
   for (int h = 0; h < static_cast<int>(opposite_.size()); ++h) {
     if (!alive(h / 3) || !may_vanish(h)) continue;
     const double ratio = edge_length(h) / wanted(h);
     if (ratio < kShort || place_[from(h)].dim == 0) queue.push_back({ratio, h});
   }
+  context.check();
   std::sort(queue.begin(), queue.end());
   for (std::size_t i = 0; i < queue.size(); ++i) {
     if (i % 256 == 0) context.check();
@@ -329,16 +332,24 @@ void Remesher::collapse_short(Context& context) {
 
 void Remesher::flip_all(Context& context) {
   for (int round = 0, flips = 1; round < 10 && flips > 0; ++round) {
-    context.check();
     flips = 0;
-    for (int h = 0; h < static_cast<int>(opposite_.size()); ++h)
+    for (int h = 0; h < static_cast<int>(opposite_.size()); ++h) {
+      if (h % 4096 == 0) context.check();
       if (alive(h / 3) && h < opposite_[h] && flip(h)) ++flips;
+    }
+  }
+}
+
+void Remesher::want(const LengthAt& length, const Context& context) {
+  length_.resize(points_.size());
+  for (std::size_t v = 0; v < points_.size(); ++v) {
+    if (v % 1024 == 0) context.check();
+    length_[v] = length(points_[v]);
   }
 }
 
 void Remesher::refine(const LengthAt& length, Context& context) {
-  length_.resize(points_.size());
-  for (std::size_t v = 0; v < points_.size(); ++v) length_[v] = length(points_[v]);
+  want(length, context);
   for (int round = 0; round < 3; ++round) {
     split_long(kLong, length, context);
     flip_all(context);
@@ -346,17 +357,16 @@ void Remesher::refine(const LengthAt& length, Context& context) {
 }
 
 void Remesher::remesh(const LengthAt& length, int rounds, Context& context) {
-  length_.resize(points_.size());
-  for (std::size_t v = 0; v < points_.size(); ++v) length_[v] = length(points_[v]);
+  want(length, context);
   for (int round = 0; round < rounds; ++round) {
     split_long(kLong, length, context);
     collapse_short(context);
     flip_all(context);
-    for (int sweep = 0; sweep < 2; ++sweep) {
-      context.check();
-      for (int v = 0; v < static_cast<int>(points_.size()); ++v)
+    for (int sweep = 0; sweep < 2; ++sweep)
+      for (int v = 0; v < static_cast<int>(points_.size()); ++v) {
+        if (v % 256 == 0) context.check();
         if (out_[v] >= 0) slide(v, length);
-    }
+      }
     flip_all(context);
   }
 }
@@ -370,12 +380,14 @@ void Remesher::cut_ears(Context& context) {
     const Vec3 p = points_[from(h)] - points_[to(h)], q = points_[to(next(h))] - points_[to(h)];
     if (p.dot(q) < kStraight * p.norm() * q.norm()) cut.push_back(prev(h));
   }
-  for (int h : cut) {
-    context.check();
-    split(h, as_before);
+  for (std::size_t i = 0; i < cut.size(); ++i) {
+    if (i % 256 == 0) context.check();
+    split(cut[i], as_before);
   }
-  for (int v = 0; v < static_cast<int>(points_.size()); ++v)
+  for (int v = 0; v < static_cast<int>(points_.size()); ++v) {
+    if (v % 256 == 0) context.check();
     if (out_[v] >= 0 && place_[v].dim == 2) slide(v, as_before);
+  }
 }
 
 int Remesher::find(int a, int b) {
@@ -497,7 +509,7 @@ int Remesher::cut_tips(double width, double longest, Context& context) {
   return count;
 }
 
-SurfaceMesh Remesher::result(std::vector<int>* pinned) const {
+SurfaceMesh Remesher::result(const Context& context, std::vector<int>* pinned) const {
   SurfaceMesh mesh;
   std::vector<int> point(points_.size(), -1);
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
@@ -518,7 +530,7 @@ SurfaceMesh Remesher::result(std::vector<int>* pinned) const {
     mesh.triangles.push_back(triangle);
     mesh.triangle_face.push_back(face_[t]);
   }
-  connect(mesh);
+  connect(mesh, context);
   return mesh;
 }
 

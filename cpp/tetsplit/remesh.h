@@ -36,7 +36,7 @@ class Remesher {
   int cut_tips(double width, double longest, Context& context);
 
   /// `halfedge_edge` names the CAD edges followed; no seams. `pinned`: the points where tips were cut.
-  SurfaceMesh result(std::vector<int>* pinned = nullptr) const;
+  SurfaceMesh result(const Context& context, std::vector<int>* pinned = nullptr) const;
 
  private:
   static int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
@@ -59,11 +59,12 @@ class Remesher {
   int find(int a, int b);
   bool slide(int v, const LengthAt& length);
   bool may_vanish(int h) const;
+  void want(const LengthAt& length, const Context& context);
   void split_long(double factor, const LengthAt& length, Context& context);
   void collapse_short(Context& context);
   void flip_all(Context& context);
 
-  const Geometry& geometry_;
+  Geometry geometry_;  // by value: callers make one on the spot
   double tiny_;
   std::vector<Vec3> points_;
   std::vector<CadPlace> place_;

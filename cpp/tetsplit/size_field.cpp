@@ -50,12 +50,13 @@ bool across_a_face(const std::vector<int>& a, const std::vector<int>& b, const G
 
 }  // namespace
 
-SizeField::SizeField(const SurfaceMesh& mesh, const Geometry& geometry, const SizeOptions& options, Context& context)
-    : mesh_(mesh), geometry_(geometry), tree_(mesh), length_(mesh.points.size(), options.longest), grading_(options.grading) {
+SizeField::SizeField(const SurfaceMesh& mesh, const Geometry& geometry, const SizeOptions& options, const Context& context)
+    : mesh_(mesh), geometry_(geometry), tree_(mesh, context), length_(mesh.points.size(), options.longest), grading_(options.grading) {
   follow_curvature(options);
-  follow_strips(options);
+  context.check();
+  follow_strips(options, context);
   follow_walls(options, context);
-  grade();
+  grade(context);
 }
 
 double SizeField::at(const Vec3& p) const {
@@ -100,18 +101,12 @@ void SizeField::follow_curvature(const SizeOptions& options) {
   }
 }
 
-void SizeField::follow_strips(const SizeOptions& options) {
-  for (std::size_t i = 0; i < geometry_.edges->size(); ++i) {
-    const CadEdge& e = (*geometry_.edges)[i];
-    if (e.seam || e.degenerate) continue;
-    const double length = std::max(options.strips * e.length, options.least);
-    if (length >= options.longest) continue;
-    for (int v = 0; v < mesh_.point_count(); ++v) {
-      const CadPlace& place = mesh_.place[v];
-      if ((place.dim == 1 && place.entity == static_cast<int>(i) + 1) ||
-          (place.dim == 0 && (place.entity == e.vertices[0] || place.entity == e.vertices[1])))
-        lower(v, length);
-    }
+void SizeField::follow_strips(const SizeOptions& options, const Context& context) {
+  const auto length_of = [&](int e) { return std::max(options.strips * geometry_.edge(e).length, options.least); };
+  std::vector<std::vector<int>> edges(mesh_.points.size());
+  for (int v = 0; v < mesh_.point_count(); ++v) {
+    edges[v] = edges_of(mesh_.place[v], geometry_);
+    for (int e : edges[v]) lower(v, length_of(e));
   }
   // Points on CAD edges in cells of the longest distance that matters.
   const double reach = options.longest / options.strips;
@@ -120,12 +115,10 @@ void SizeField::follow_strips(const SizeOptions& options) {
   };
   const auto key = [](const std::array<long, 3>& c) { return (c[0] * 73856093L) ^ (c[1] * 19349663L) ^ (c[2] * 83492791L); };
   std::unordered_map<long, std::vector<int>> cells;
-  std::vector<std::vector<int>> edges(mesh_.points.size());
-  for (int v = 0; v < mesh_.point_count(); ++v) {
-    edges[v] = edges_of(mesh_.place[v], geometry_);
+  for (int v = 0; v < mesh_.point_count(); ++v)
     if (!edges[v].empty()) cells[key(cell(mesh_.points[v]))].push_back(v);
-  }
   for (int v = 0; v < mesh_.point_count(); ++v) {
+    if (v % 1024 == 0) context.check();
     if (edges[v].empty()) continue;
     const auto c = cell(mesh_.points[v]);
     for (long i = -1; i <= 1; ++i)
@@ -142,7 +135,7 @@ void SizeField::follow_strips(const SizeOptions& options) {
   }
 }
 
-void SizeField::follow_walls(const SizeOptions& options, Context& context) {
+void SizeField::follow_walls(const SizeOptions& options, const Context& context) {
   std::vector<RayHit> hits;
   for (int t = 0; t < mesh_.triangle_count(); ++t) {
     if (t % 256 == 0) context.check();
@@ -161,7 +154,7 @@ void SizeField::follow_walls(const SizeOptions& options, Context& context) {
   }
 }
 
-void SizeField::grade() {
+void SizeField::grade(const Context& context) {
   using Entry = std::pair<double, int>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
   for (int v = 0; v < mesh_.point_count(); ++v) queue.push({length_[v], v});
@@ -170,7 +163,8 @@ void SizeField::grade() {
   for (std::size_t v = 0; v < mesh_.points.size(); ++v) begin[v + 1] += begin[v];
   std::vector<int> at(begin.begin(), begin.end() - 1);
   for (int h = 0; h < 3 * mesh_.triangle_count(); ++h) neighbours[at[mesh_.from(h)]++] = mesh_.to(h);
-  while (!queue.empty()) {
+  for (std::size_t done = 0; !queue.empty(); ++done) {
+    if (done % 8192 == 0) context.check();
     const auto [length, v] = queue.top();
     queue.pop();
     if (length > length_[v]) continue;
@@ -184,14 +178,15 @@ void SizeField::grade() {
   }
 }
 
-void SizeField::refine(const std::vector<Vec3>& near, double factor) {
+void SizeField::refine(const std::vector<Vec3>& near, double factor, const Context& context) {
   std::vector<double> wanted = length_;
-  for (const Vec3& p : near) {
-    const ClosestPoint c = tree_.closest(p);
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    if (i % 1024 == 0) context.check();
+    const ClosestPoint c = tree_.closest(near[i]);
     for (int v : mesh_.triangles[c.triangle]) wanted[v] = std::min(wanted[v], factor * length_[v]);
   }
   length_ = std::move(wanted);
-  grade();
+  grade(context);
 }
 
 SizeField SizeField::scaled(double factor) const {

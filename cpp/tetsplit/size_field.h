@@ -27,19 +27,19 @@ struct SizeOptions {
 class SizeField {
  public:
   /// `mesh` must be fine enough to show all that (about the element size); it is copied.
-  SizeField(const SurfaceMesh& mesh, const Geometry& geometry, const SizeOptions& options, Context& context);
+  SizeField(const SurfaceMesh& mesh, const Geometry& geometry, const SizeOptions& options, const Context& context);
 
   /// At the point of the surface nearest to p.
   double at(const Vec3& p) const;
   /// Ask for `factor` times the present length within about one such length of each point; then graded again.
-  void refine(const std::vector<Vec3>& near, double factor);
+  void refine(const std::vector<Vec3>& near, double factor, const Context& context);
   SizeField scaled(double factor) const;
 
  private:
   void follow_curvature(const SizeOptions& options);
-  void follow_strips(const SizeOptions& options);
-  void follow_walls(const SizeOptions& options, Context& context);
-  void grade();
+  void follow_strips(const SizeOptions& options, const Context& context);
+  void follow_walls(const SizeOptions& options, const Context& context);
+  void grade(const Context& context);
   void lower(int v, double length) { length_[v] = std::min(length_[v], length); }
 
   SurfaceMesh mesh_;

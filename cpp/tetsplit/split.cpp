@@ -39,14 +39,16 @@ constexpr std::array<std::array<int, 4>, 4> kFromCorner{{{0, 1, 2, 3}, {1, 0, 3,
 
 }  // namespace
 
-HexComplex split_tetrahedra(const TetMesh& mesh, const SurfaceMesh& surface, const Geometry& geometry) {
+HexComplex split_tetrahedra(const TetMesh& mesh, const SurfaceMesh& surface, const Geometry& geometry, const Context& context) {
   std::vector<Edge> all_edges;
   std::vector<Face> all_faces;
   for (const auto& t : mesh.tets) {
     for (const auto& e : kTetEdges) all_edges.push_back(edge_key(t[e[0]], t[e[1]]));
     for (const auto& f : kTetFaces) all_faces.push_back(face_key(t[f[0]], t[f[1]], t[f[2]]));
   }
+  context.check();
   const Numbering<Edge> edges(std::move(all_edges));
+  context.check();
   const Numbering<Face> faces(std::move(all_faces));
   const int first_edge = static_cast<int>(mesh.points.size()), first_face = first_edge + edges.size(),
             first_middle = first_face + faces.size();
@@ -60,6 +62,7 @@ HexComplex split_tetrahedra(const TetMesh& mesh, const SurfaceMesh& surface, con
   for (int i = 0; i < faces.size(); ++i)
     result.points[first_face + i] = (mesh.points[faces[i][0]] + mesh.points[faces[i][1]] + mesh.points[faces[i][2]]) / 3;
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    if (t % 4096 == 0) context.check();
     const auto& v = mesh.tets[t];
     const int o = first_middle + static_cast<int>(t);
     result.points[o] = (mesh.points[v[0]] + mesh.points[v[1]] + mesh.points[v[2]] + mesh.points[v[3]]) / 4;
@@ -75,6 +78,7 @@ HexComplex split_tetrahedra(const TetMesh& mesh, const SurfaceMesh& surface, con
   result.place.resize(result.points.size());
   std::copy(surface.place.begin(), surface.place.end(), result.place.begin());
   for (int t = 0; t < surface.triangle_count(); ++t) {
+    if (t % 256 == 0) context.check();
     const auto& v = surface.triangles[t];
     const int face = surface.triangle_face[t], centre = face_node(v[0], v[1], v[2]);
     result.place[centre] = {2, face, geometry.projector->project_to_face(face, result.points[centre], nullptr).uv};

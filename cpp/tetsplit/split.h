@@ -19,6 +19,6 @@ namespace hexfeature {
 ///
 /// Boundary nodes get their CadPlace (those in the middle of an edge or face of the surface are not on the CAD yet), quads their
 /// CAD face, and mesh edges along CAD edges their number.
-HexComplex split_tetrahedra(const TetMesh& mesh, const SurfaceMesh& surface, const Geometry& geometry);
+HexComplex split_tetrahedra(const TetMesh& mesh, const SurfaceMesh& surface, const Geometry& geometry, const Context& context = {});
 
 }  // namespace hexfeature

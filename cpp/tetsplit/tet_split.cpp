@@ -28,9 +28,11 @@ constexpr double kTipsForbid = 0.1;
 constexpr int kMostWork = 100000;
 constexpr double kBearable = 0.05;
 
-std::vector<Vec3> bad_places(const HexComplex& mesh, double limit) {
+std::vector<Vec3> bad_places(const HexComplex& mesh, double limit, const Context& context) {
   std::vector<Vec3> places;
-  for (const auto& hex : mesh.hexes) {
+  for (int h = 0; h < mesh.hex_count(); ++h) {
+    if (h % 8192 == 0) context.check();
+    const auto& hex = mesh.hexes[h];
     if (scaled_jacobian(mesh.points, hex) >= limit && proves_positive(mesh.points, hex)) continue;
     Vec3 centre = Vec3::Zero();
     for (int v : hex) centre += mesh.points[v] / 8;
@@ -56,7 +58,7 @@ HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const
   sizes.least_wall = 0.35 * h;
   Remesher whole(surface, geometry, kTiny * h);
   whole.refine([&](const Vec3&) { return h; }, context);
-  const SizeField base(whole.result(), geometry, sizes, context);
+  const SizeField base(whole.result(context), geometry, sizes, context);
 
   SmoothOptions smoothing;
   smoothing.size = h;
@@ -73,7 +75,7 @@ HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const
       const bool refining = attempt == 1 && best;
       SizeField field = base.scaled(refining ? 1 : kLengths[std::min<std::size_t>(attempt, kLengths.size() - 1)]);
       if (refining) {
-        field.refine(bad_places(*best, options.good_enough), kFiner);
+        field.refine(bad_places(*best, options.good_enough, context), kFiner, context);
         if (report.smoothing.min_sj < kTipsForbid) {
           cut.emplace(whole);
           context.log("tet-split: " + std::to_string(cut->cut_tips(kTipWidth * h, kTipLength * h, context)) + " tips cut");
@@ -83,13 +85,13 @@ HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const
       remesher.remesh([&](const Vec3& p) { return field.at(p); }, 6, context);
       remesher.cut_ears(context);
       std::vector<int> pinned;
-      const SurfaceMesh triangles = remesher.result(&pinned);
+      const SurfaceMesh triangles = remesher.result(context, &pinned);
       TetOptions filling;
       filling.longest = sizes.longest;
       filling.program = options.netgen;
       TetMesh tets = fill_with_tetrahedra(triangles, filling, context);
       relieve_boundary(tets, triangles, context);
-      HexComplex mesh = split_tetrahedra(tets, triangles, geometry);
+      HexComplex mesh = split_tetrahedra(tets, triangles, geometry, context);
       smoothing.held = pinned;
       const SmoothReport smoothed = smooth(mesh, *geometry.projector, smoothing, context);
       context.log("tet-split, attempt " + std::to_string(attempt + 1) + ": " + std::to_string(triangles.triangle_count()) + " triangles, " +

@@ -106,7 +106,9 @@ TetMesh fill_with_tetrahedra(const SurfaceMesh& surface, const TetOptions& optio
   std::copy(surface.points.begin(), surface.points.end(), mesh.points.begin());
   for (const auto& tet : mesh.tets)
     if (!(tet_volume(mesh.points, tet) > 0)) give_up("the tetrahedral mesher returned an inverted element");
+  context.check();
   check_boundary(mesh, surface);
+  context.check();
   return mesh;
 }
 

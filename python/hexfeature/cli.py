@@ -56,14 +56,14 @@ def _typed(error):
 
 
 def _guarded(choice, work, stopped=lambda error: None, time_limit=0, outputs=()):
-    """work(at) -> exit code, by a guarded worker where there may be one; `stopped` is told of the guard's own error."""
+    """work(at, tell) -> exit code, by a guarded worker where there may be one; `stopped` is told of the guard's own error."""
     from hexfeature import guard
 
     if not (choice.guarded and guard.available()):
-        return work(lambda step: None)
+        return work(lambda step: None, lambda: None)
     verbose = getattr(choice, "verbose", False)
     try:
-        return guard.run(lambda board: _told(lambda: work(board.put), verbose), time_limit, [path for path in outputs if path])
+        return guard.run(lambda board: _told(lambda: work(board.put, board.tell), verbose), time_limit, [path for path in outputs if path])
     except MeshingError as error:
         stopped(error)
         raise
@@ -161,12 +161,12 @@ def _mesh(choice):
     _check_outputs(choice, options.get("stop_after", ""), formats)
     limit = options.get("time_limit", 0)
     limit = limit if isinstance(limit, (int, float)) and limit > 0 else 0  # the core says what is wrong with another
-    return _guarded(choice, lambda at: _make_mesh(choice, options, started, at), lambda error: _report_failure(choice, error, started),
-                    limit, (choice.output, choice.report))
+    return _guarded(choice, lambda at, tell: _make_mesh(choice, options, started, at, tell),
+                    lambda error: _report_failure(choice, error, started), limit, (choice.output, choice.report))
 
 
-def _make_mesh(choice, options, started, at):
-    """The work itself; `at(step)` is told where it is."""
+def _make_mesh(choice, options, started, at, tell):
+    """The work itself; `at(step)` is told where it is, `tell()` that it has stopped with an error."""
     from hexfeature import report
 
     stop_after = options.get("stop_after", "")
@@ -181,6 +181,7 @@ def _make_mesh(choice, options, started, at):
             mesh.write(choice.output, choice.element_type)
         at("written")
     except (Exception, KeyboardInterrupt) as error:
+        tell()
         progress.done()
         _report_failure(choice, _typed(error), started)
         raise
@@ -213,7 +214,7 @@ def _check_outputs(choice, stop_after, formats):
 
 
 def _info(choice):
-    return _guarded(choice, lambda at: _print_info(choice, at))
+    return _guarded(choice, lambda at, tell: _print_info(choice, at))
 
 
 def _print_info(choice, at):

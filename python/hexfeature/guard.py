@@ -19,6 +19,7 @@ from hexfeature.errors import EXIT_CODES, make_error
 _STOP = {signal.SIGINT, signal.SIGTERM} | ({signal.SIGHUP} if hasattr(signal, "SIGHUP") else set())
 WRITTEN = "written"  #: the step after the mesh file has its name
 _GRACE = 0.15  #: seconds for what comes after that
+_GRACE_TO_TELL = 5  #: seconds for a worker that has stopped by itself and is telling its error
 _PARENT_DEATH = 1  #: Linux's PR_SET_PDEATHSIG
 
 
@@ -28,14 +29,21 @@ class Board:
     _SIZE = 64
 
     def __init__(self):
-        self._map = mmap.mmap(-1, self._SIZE)
+        self._map = mmap.mmap(-1, self._SIZE + 1)
 
     def put(self, step):
         text = step.encode()[:self._SIZE - 1]
         self._map[:len(text) + 1] = text + b"\0"
 
+    def tell(self):
+        """The worker has stopped and tells why: its guard has nothing to add."""
+        self._map[self._SIZE] = 1
+
+    def telling(self):
+        return self._map[self._SIZE] == 1
+
     def step(self):
-        return self._map[:].split(b"\0", 1)[0].decode("utf-8", "replace") or "start"
+        return self._map[:self._SIZE].split(b"\0", 1)[0].decode("utf-8", "replace") or "start"
 
 
 def available():
@@ -118,6 +126,8 @@ def _wait(worker, board, time_limit, outputs):
         if why:
             if board.step() == WRITTEN and _ends_within(worker, _GRACE):
                 continue  # the mesh is there: let the run be what it was
+            if board.telling() and _ends_within(worker, _GRACE_TO_TELL):
+                continue  # its own look at the time came first: one error is enough
             os.kill(worker, signal.SIGKILL)
             os.waitpid(worker, 0)
             break

@@ -18,6 +18,10 @@ SheetReport run(HexPart& part, SheetOptions options = {}) {
   return insert_sheets(part.complex, part.shape, part.geometry(), options, context);
 }
 
+std::vector<SheetGroup> groups_of(const HexPart& part, const SheetOptions& options = {}) {
+  return find_sheet_groups(part.complex, part.geometry(), options, {});
+}
+
 // Number of hexahedra round the edges between two CAD faces: least, most.
 std::array<int, 2> hexes_round(const HexPart& part, int f, int g) {
   const HexTopology t = make_topology(part.complex);
@@ -36,6 +40,53 @@ int flat_edges(const HexPart& part, double degrees = 135) {
   int n = 0;
   for (const auto& e : t.edges) n += e.count == 1 && solid_angle(part.complex, e) > degrees;
   return n;
+}
+
+// A plate whose top is cut by a straight CAD edge that is followed by mesh edges with two turns to the left and two to the right.
+struct StairPart : HexPart {
+  int cad_edge = 0;
+  std::vector<int> line;  // its nodes
+};
+
+StairPart stair_part() {
+  const std::vector<std::array<int, 2>> stairs{{0, 1}, {1, 1}, {2, 1}, {2, 2}, {3, 2}, {4, 2}, {4, 3}, {5, 3}, {6, 3}};
+  const auto map = [&](const Vec3& p) -> Vec3 {
+    for (std::size_t k = 0; k < stairs.size(); ++k)
+      if (p[0] == stairs[k][0] && p[1] == stairs[k][1]) return {0.75 * k, 1 + 0.25 * k, p[2]};
+    return p;
+  };
+  StairPart part;
+  static_cast<HexPart&>(part) =
+      make_hex_part(box({0, 0, 0}, {6, 4, 2}), 1, map,
+                    {plane({6, 0, 0}, Vec3::UnitX()), plane(Vec3::Zero(), -Vec3::UnitX()), plane({0, 4, 0}, Vec3::UnitY()),
+                     plane(Vec3::Zero(), -Vec3::UnitY()), plane({0, 0, 2}, Vec3::UnitZ()), plane(Vec3::Zero(), -Vec3::UnitZ())},
+                    [](Label l, const Vec3&) { return l + 1; });
+  HexComplex& c = part.complex;
+  part.projector.faces.push_back(plane({0, 1, 0}, {-0.25, 0.75, 0}));
+  part.projector.edges.push_back({5, 7});
+  CadEdge edge;
+  edge.faces = {5, 5};
+  edge.sharp = false;
+  part.edges.push_back(edge);
+  part.cad_edge = static_cast<int>(part.edges.size());
+  std::vector<std::pair<std::array<int, 2>, int>> features;
+  for (std::size_t i = 0; i < c.feature_edges.size(); ++i) features.push_back({c.feature_edges[i], c.feature_edge_cad[i]});
+  for (std::size_t k = 0; k < stairs.size(); ++k) {
+    const Vec3 at(0.75 * k, 1 + 0.25 * k, 2);
+    const auto here = std::find_if(c.points.begin(), c.points.end(), [&](const Vec3& p) { return (p - at).norm() < 1e-9; });
+    const int v = static_cast<int>(here - c.points.begin());
+    if (k > 0) features.push_back({{std::min(part.line.back(), v), std::max(part.line.back(), v)}, part.cad_edge});
+    part.line.push_back(v);
+    if (k > 0 && k + 1 < stairs.size()) c.place[v] = {1, part.cad_edge, Vec2(at[0], 0)};
+  }
+  std::sort(features.begin(), features.end());
+  c.feature_edges.clear();
+  c.feature_edge_cad.clear();
+  for (const auto& [nodes, cad] : features) {
+    c.feature_edges.push_back(nodes);
+    c.feature_edge_cad.push_back(cad);
+  }
+  return part;
 }
 
 }  // namespace
@@ -96,7 +147,7 @@ TEST_CASE("cylinder: one sheet along the side, out through both caps") {
   CHECK(static_cast<int>(part.complex.quads.size()) == quads + 2 * 24);
   CHECK(flat_edges(part) == 0);
   CHECK(hexes_round(part, 1, 2) == std::array<int, 2>{1, 1});  // the caps' rims stay sharp
-  CHECK(find_sheet_groups(part.complex, part.geometry(), {}).empty());
+  CHECK(groups_of(part).empty());
   // Every node is still on its CAD entity; the rims are followed all round.
   for (int v = 0; v < part.complex.point_count(); ++v)
     if (part.complex.place[v].dim == 2) {
@@ -163,7 +214,7 @@ TEST_CASE("blind round pocket: its floor gets a sheet, down and out at the botto
   CHECK(report.inserted == 1);
   CHECK(report.refused == 0);
   CHECK(check_complex(part.complex) == "");
-  CHECK(find_sheet_groups(part.complex, part.geometry(), {}).empty());
+  CHECK(groups_of(part).empty());
   int floor = 0;
   for (int f : part.complex.quad_face) floor += f == 8;
   CHECK(floor == 4 * 4 + 16);
@@ -207,7 +258,7 @@ TEST_CASE("a sheet that leaves along a CAD edge and turns off it within one quad
     break;
   }
   const auto before = part.complex.hexes;
-  const LayerRefusal refusal = insert_layer(part.complex, t, part.shape, part.geometry(), set, {});
+  const LayerRefusal refusal = insert_layer(part.complex, t, part.shape, part.geometry(), set, {}, {});
   CAPTURE(refusal.reason);
   CHECK(refusal.reason.find("one quad") != std::string::npos);
   CHECK(!refusal.together.empty());
@@ -242,13 +293,73 @@ TEST_CASE("sheets are left out by name, one by one; those near bad elements are 
   CHECK(none.complex.hexes == before);
 }
 
+TEST_CASE("a CAD edge followed with turns: one floor on each side, along the whole line, whatever turns it meets") {
+  const StairPart part = stair_part();
+  const HexComplex& c = part.complex;
+  REQUIRE(check_complex(c) == "");
+  const std::vector<SheetGroup> groups = groups_of(part);
+  REQUIRE(groups.size() == 2);
+  CHECK(groups[0].left != groups[1].left);
+  for (const SheetGroup& g : groups) {
+    CHECK(g.cad_edge == part.cad_edge);
+    CHECK(g.floor_chart == part.charts_of(4).front());
+    REQUIRE(g.floor_quads.size() == g.floor_edges.size());
+    std::set<std::array<int, 2>> edges(g.floor_edges.begin(), g.floor_edges.end());
+    CHECK(edges.size() == part.line.size() - 1);  // two turns its way, two the other: none ends it
+    for (std::size_t i = 0; i < g.floor_edges.size(); ++i) {
+      const auto& quad = c.quads[g.floor_quads[i]];
+      Vec3 centre = Vec3::Zero();
+      for (int v : quad) centre += 0.25 * c.points[v];
+      for (int v : g.floor_edges[i]) CHECK(std::count(quad.begin(), quad.end(), v) == 1);
+      CHECK((Vec3(-0.25, 0.75, 0).dot(centre - Vec3(0, 1, 0)) > 0) == g.left);
+    }
+  }
+}
+
+TEST_CASE("a CAD edge followed with turns: another CAD edge that it meets ends the floor") {
+  StairPart part = stair_part();
+  // The last three edges belong to another one.
+  part.edges.push_back(part.edges.back());
+  part.projector.edges.push_back(part.projector.edges.back());
+  for (std::size_t k = 5; k + 1 < part.line.size(); ++k)
+    for (std::size_t i = 0; i < part.complex.feature_edges.size(); ++i) {
+      const auto& e = part.complex.feature_edges[i];
+      if (e == std::array<int, 2>{std::min(part.line[k], part.line[k + 1]), std::max(part.line[k], part.line[k + 1])})
+        part.complex.feature_edge_cad[i] = part.cad_edge + 1;
+    }
+  std::map<int, std::size_t> longest;
+  for (const SheetGroup& g : groups_of(part)) longest[g.cad_edge] = std::max(longest[g.cad_edge], g.floor_edges.size());
+  CHECK(longest[part.cad_edge] == 5);
+  CHECK(longest[part.cad_edge + 1] == 3);
+}
+
+TEST_CASE("a CAD edge followed with turns: sheets take its flat corners away") {
+  StairPart part = stair_part();
+  const auto flat_corners = [&] {
+    const HexComplex& c = part.complex;
+    int flat = 0;
+    for (int q = 0; q < static_cast<int>(c.quads.size()); ++q)
+      for (int i = 0; i < 4; ++i) {
+        const auto& n = c.quads[q];
+        flat += feature_of(c, n[i], n[(i + 1) % 4]) == part.cad_edge && feature_of(c, n[(i + 3) % 4], n[i]) == part.cad_edge &&
+                corner_angle(c, q, i) > 140;
+      }
+    return flat;
+  };
+  CHECK(flat_corners() == 4);
+  const SheetReport report = run(part);
+  CHECK(report.inserted == 2);
+  CHECK(check_complex(part.complex) == "");
+  CHECK(flat_corners() == 0);
+}
+
 TEST_CASE("an edge that is sharp in the CAD needs no sheet, however its quads lie") {
   auto part = cylinder_part(3);
   for (auto& e : part.edges) e.dihedral = 0;  // the rims would count as smooth now
-  CHECK(find_sheet_groups(part.complex, part.geometry(), {}).size() == 1);
+  CHECK(groups_of(part).size() == 1);
   SheetOptions strict;
   strict.crease_angle = 0;  // nothing is smooth
-  CHECK(find_sheet_groups(part.complex, part.geometry(), strict).empty());
+  CHECK(groups_of(part, strict).empty());
 }
 
 TEST_CASE("a complex that is none is an error") {

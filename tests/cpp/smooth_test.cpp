@@ -3,12 +3,14 @@
 
 #include <doctest/doctest.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstring>
 
 #include "hex_fixtures.h"
 #include "mesh/hex_element.h"
 #include "smooth/energy.h"
+#include "smooth/patch.h"
 
 using namespace hexfeature;
 using namespace fixtures;
@@ -83,7 +85,7 @@ TEST_CASE("the gradient is the energy's derivative") {
       HexComplex shaken = c;
       for (auto& p : shaken.place) p.dim = 3;
       shake_inside(shaken, amount);
-      Workers workers(1);
+      Workers workers(1, context);
       const std::size_t n = shaken.hexes.size();
       HexEnergy energy(shaken.hexes, shaken.point_count(), std::vector<double>(n, 0.8), std::vector<double>(n, 0.9),
                        std::vector<double>(n, 1e-6), std::vector<char>(n, power == 1 || amount > 0.5), workers);
@@ -218,7 +220,7 @@ TEST_CASE("thorough elements see folds along edges that their corners do not sho
     shake_inside(c, 0.45, random());
     if (!(scaled_jacobian(c.points, c.hexes[0]) > 0) || proves_positive(c.points, c.hexes[0])) continue;
     ++folds;
-    Workers workers(1);
+    Workers workers(1, context);
     std::vector<double> x;
     for (const Vec3& p : c.points) x.insert(x.end(), {p[0], p[1], p[2]});
     for (char thorough : {0, 1}) {
@@ -228,6 +230,54 @@ TEST_CASE("thorough elements see folds along edges that their corners do not sho
     }
   }
   CHECK(folds == 10);
+}
+
+TEST_CASE("a place that could be better is lifted, though another holds the worst element down") {
+  HexComplex c = box_mesh({8, 4, 4}, Vec3(8, 4, 4));
+  const auto node = [&](int i, int j, int k) { return (k * 5 + j) * 9 + i; };
+  for (int i : {2, 6}) c.points[node(i, 2, 2)] += Vec3(0.27, 0.27, 0.27);
+  const SmoothOptions options = sized(1);
+  const BoxProjector projector(Vec3(8, 4, 4));
+  Workers workers(1, context);
+  SmoothSetting setting{
+      projector, options, context, workers, std::vector<double>(c.hexes.size(), 1.0), {}, std::vector<char>(c.points.size(), 0)};
+  std::vector<double> before, after;
+  measure(c, workers, before);
+  const auto worst_of = [&](const std::vector<double>& quality, bool right) {
+    double worst = 1;
+    for (int h = 0; h < c.hex_count(); ++h)
+      if ((h % 8 >= 4) == right) worst = std::min(worst, quality[h]);
+    return worst;
+  };
+  REQUIRE(worst_of(before, true) > 0);
+  REQUIRE(worst_of(before, true) < 0.4);
+  // No node may move where the left one is.
+  for (int v = 0; v < c.point_count(); ++v) setting.held[v] = v % 9 <= 3;
+
+  HexComplex all = c;
+  lift_worst(all, setting);
+  measure(all, workers, after);
+  CHECK(worst_of(after, true) == worst_of(before, true));  // nothing would raise the minimum
+  HexComplex placewise = c;
+  lift_places(placewise, setting);
+  measure(placewise, workers, after);
+  CHECK(worst_of(after, true) > 0.8);
+  CHECK(worst_of(after, false) == worst_of(before, false));
+  for (int v = 0; v < c.point_count(); ++v)
+    if (setting.held[v]) CHECK(placewise.points[v] == c.points[v]);
+}
+
+TEST_CASE("a long loop stops between two slices, in every thread") {
+  for (int threads : {1, 2}) {
+    Context stopped;
+    std::atomic<int> looks{0};
+    stopped.is_cancelled = [&] { return ++looks > 2; };
+    Workers workers(threads, stopped);
+    std::atomic<int> done{0};
+    CHECK_THROWS_AS(workers.run(1 << 20, 1, [&](int begin, int end) { done += end - begin; }), MeshingError);
+    CHECK(done > 0);
+    CHECK(done < 1 << 16);
+  }
 }
 
 TEST_CASE("an inner edge is not collapsed for the sake of the worst element") {

@@ -122,7 +122,7 @@ TEST_CASE("remeshing gives the lengths asked for, on the CAD, with every edge fo
     const double wanted = 4;
     Remesher remesher(surface_of(*model, 1.5), model->geometry(), 0.01);
     remesher.remesh([&](const Vec3&) { return wanted; }, 6, context);
-    const SurfaceMesh mesh = remesher.result();
+    const SurfaceMesh mesh = remesher.result({});
     int fitting = 0, edges = 0;
     for (int h = 0; h < 3 * mesh.triangle_count(); ++h) {
       const double length = (mesh.points[mesh.from(h)] - mesh.points[mesh.to(h)]).norm();

@@ -1,5 +1,6 @@
 # HexFeatureWB - LGPL-2.1-or-later
 """Small parts for the tests, drawn by FreeCAD once a session."""
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -7,7 +8,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "python"))
+sys.path.insert(0, os.environ.get("HEXFEATURE_PACKAGE", str(ROOT / "python")))  # another build's: tests/sanitize.sh
 
 DRAW = """
 import sys

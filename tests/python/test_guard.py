@@ -58,6 +58,18 @@ def test_a_busy_worker_is_ended_and_its_temporary_file_removed(tmp_path, how):
     assert os.listdir(tmp_path) == ["other.part"]
 
 
+def test_a_worker_that_tells_its_own_error_is_not_talked_over(capfd):
+    def work(board):
+        board.put("smooth")
+        board.tell()
+        time.sleep(0.6)
+        os.write(2, b"the worker's own")
+        return 130
+
+    assert guard.run(work, time_limit=0.2) == 130
+    assert capfd.readouterr().err == "the worker's own"
+
+
 def test_a_run_that_has_written_its_mesh_may_end():
     def work(board):
         board.put(guard.WRITTEN)

@@ -71,7 +71,7 @@ def test_a_closed_void(odd):
 @pytest.mark.parametrize("name, size", [("tiny_edge.step", 1000), ("sliver.step", 4), ("touching.step", 3), ("torn.brep", 4)])
 def test_a_mesh_or_a_reason(odd, name, size):
     try:
-        mesh = hexfeature.mesh(odd / name, size=size, time_limit=60)
+        mesh = hexfeature.mesh(odd / name, size=size, time_limit=600)
     except hexfeature.MeshingError as error:
         assert error.kind in ("bad_input", "no_mesh") and error.reason and error.hint
     else:

@@ -1,0 +1,49 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#include "pipeline/sheet_trials.h"
+
+#include <utility>
+
+namespace hexfeature {
+namespace {
+
+/// A mesh whose worst element is below this is worth a second try without (or with fewer) sheets.
+constexpr double kGoodEnough = 0.5;
+
+}  // namespace
+
+bool is_better(const SheetTrial& a, const SheetTrial& b) {
+  constexpr double kSeen = 0.005;
+  if (a.smoothing.inverted != b.smoothing.inverted) return a.smoothing.inverted < b.smoothing.inverted;
+  if (a.worth.faithful != b.worth.faithful) return a.worth.faithful;
+  if (a.smoothing.inverted == 0 && !a.worth.faithful && a.worth.lost != b.worth.lost) return a.worth.lost < b.worth.lost;
+  return a.smoothing.min_sj > b.smoothing.min_sj + kSeen;
+}
+
+SheetTrial try_sheets(const std::function<SheetTrial(const SheetNames& without)>& mesh_without, const SheetRules& rules) {
+  SheetTrial best;
+  SheetNames left_out, suspects, together;  // suspects: the next one to leave out last
+  for (int trial = 0; trial < rules.most; ++trial) {
+    SheetNames without = left_out;
+    if (trial > 0) {
+      if (suspects.empty()) suspects.swap(together);
+      if (suspects.empty()) break;
+      const bool all = best.smoothing.inverted > 0 || together.empty();
+      const auto first = all ? suspects.begin() : suspects.end() - 1;
+      without.insert(without.end(), first, suspects.end());
+      suspects.erase(first, suspects.end());
+      if (all) together.clear();
+    }
+    SheetTrial next = mesh_without(without);
+    if (trial > 0 && !is_better(next, best)) continue;
+    left_out = std::move(without);
+    best = std::move(next);
+    const bool inverted = best.smoothing.inverted > 0;
+    suspects = inverted || best.smoothing.min_sj < kGoodEnough ? best.suspects : SheetNames{};
+    together = suspects.size() > 1 ? suspects : SheetNames{};
+    if (inverted && rules.once) break;
+    if (best.worth.edges_lost && rules.another_way) break;
+  }
+  return best;
+}
+
+}  // namespace hexfeature

@@ -1,0 +1,38 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "pipeline/method.h"
+
+namespace hexfeature {
+
+/// Names of sheets, as SheetReport::names has them.
+using SheetNames = std::vector<std::vector<int>>;
+
+/// A smoothed mesh and the sheets it has.
+struct SheetTrial {
+  HexComplex mesh;
+  SheetReport sheets;
+  SmoothReport smoothing;
+  Worth worth;          ///< nothing is known of a mesh with inverted elements
+  SheetNames suspects;  ///< those at its worst elements, in the order of insertion
+};
+
+struct SheetRules {
+  bool once = false;         ///< a mesh with inverted elements is not tried with fewer sheets
+  bool another_way = false;  ///< there is another method: what no choice of sheets mends is left to it
+  int most = 6;              ///< choices tried
+};
+
+/// Whether a smoothed mesh is worth more: fewer inverted elements, or keeping more of the part, or a worst element better by what can be
+/// seen. What it keeps is not known of meshes with inverted elements.
+bool is_better(const SheetTrial& a, const SheetTrial& b);
+
+/// The best choice of sheets: all of them at first (`mesh_without` of no names); as long as the worst element lies at sheets, again without
+/// one of these, the last inserted first, then without all of them, and the better mesh is kept. What is far from every sheet is not
+/// their doing: then nothing is tried. Where elements stay inverted, once without all the sheets there: such a mesh is seldom saved, and
+/// each trial of it is dear. Lets through what `mesh_without` throws.
+SheetTrial try_sheets(const std::function<SheetTrial(const SheetNames& without)>& mesh_without, const SheetRules& rules);
+
+}  // namespace hexfeature

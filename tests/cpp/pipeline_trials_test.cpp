@@ -1,0 +1,105 @@
+// HexFeatureWB - LGPL-2.1-or-later
+// The choice of sheets, with meshes made up for it.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "pipeline/sheet_trials.h"
+
+using namespace hexfeature;
+
+namespace {
+
+/// Three sheets A, B, C, inserted in this order and all at the worst element. `outcome` says what a mesh without some of them is worth.
+struct Outcome {
+  double min_sj = 0;
+  int inverted = 0;
+  double lost = 0;
+  bool edges_lost = false;
+};
+
+struct Workshop {
+  std::function<Outcome(const std::string& without)> outcome;
+  std::string worst_at = "ABC";
+  std::vector<std::string> asked{};  ///< without which sheets, trial by trial
+
+  SheetTrial mesh(const SheetNames& without) {
+    std::string letters;
+    for (const auto& name : without) letters += static_cast<char>('A' + name[0]);
+    asked.push_back(letters);
+    SheetTrial trial;
+    const Outcome o = outcome(letters);
+    trial.smoothing.min_sj = trial.worth.min_sj = o.min_sj;
+    trial.smoothing.inverted = o.inverted;
+    trial.worth.lost = o.lost;
+    trial.worth.faithful = o.lost == 0 && o.inverted == 0;
+    trial.worth.edges_lost = o.edges_lost;
+    trial.sheets.taken_back = static_cast<int>(without.size());
+    for (char c : worst_at)
+      if (letters.find(c) == std::string::npos) trial.suspects.push_back({c - 'A'});
+    return trial;
+  }
+  SheetTrial run(const SheetRules& rules = {}) {
+    return try_sheets([this](const SheetNames& without) { return mesh(without); }, rules);
+  }
+};
+
+using Asked = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("a good mesh keeps all its sheets, and so does one that is bad elsewhere") {
+  Workshop good{[](const std::string&) { return Outcome{0.6}; }};
+  CHECK(good.run().smoothing.min_sj == 0.6);
+  CHECK(good.asked == Asked{""});
+  Workshop elsewhere{[](const std::string&) { return Outcome{0.1}; }, ""};
+  elsewhere.run();
+  CHECK(elsewhere.asked == Asked{""});
+}
+
+TEST_CASE("sheets at the worst element are left out one by one, the last first, then all; the best stays") {
+  Workshop none_helps{[](const std::string& without) { return Outcome{without.empty() ? 0.3 : 0.2}; }};
+  CHECK(none_helps.run().sheets.taken_back == 0);
+  CHECK(none_helps.asked == Asked{"", "C", "B", "A", "ABC"});
+  Workshop b_helps{[](const std::string& without) { return Outcome{without == "B" ? 0.6 : 0.3}; }};
+  CHECK(b_helps.run().smoothing.min_sj == 0.6);
+  CHECK(b_helps.asked == Asked{"", "C", "B"});
+  Workshop all_help{[](const std::string& without) { return Outcome{without.size() == 3 ? 0.6 : 0.3}; }};
+  CHECK(all_help.run().sheets.taken_back == 3);
+}
+
+TEST_CASE("what was left out stays out while others are tried; six trials are enough") {
+  Workshop each{[](const std::string& without) { return Outcome{0.1 + 0.1 * static_cast<double>(without.size())}; }};
+  CHECK(each.run().sheets.taken_back == 3);
+  CHECK(each.asked == Asked{"", "C", "CB", "CBA"});
+  Workshop many{[](const std::string& without) { return Outcome{without.empty() ? 0.2 : 0.1}; }, "ABCDEFGHIJ"};
+  many.run();
+  CHECK(many.asked == Asked{"", "J", "I", "H", "G", "F"});
+}
+
+TEST_CASE("a gain that nobody sees keeps the sheets; a mesh that keeps more of the part is better, whatever its worst element") {
+  Workshop little{[](const std::string& without) { return Outcome{without.empty() ? 0.3 : 0.304}; }};
+  CHECK(little.run().sheets.taken_back == 0);
+  Workshop faithful{[](const std::string& without) { return Outcome{without == "C" ? 0.25 : 0.4, 0, without == "C" ? 0 : 0.05}; }};
+  CHECK(faithful.run().sheets.taken_back == 1);
+  CHECK(faithful.run().worth.faithful);
+}
+
+TEST_CASE("with inverted elements: once without all the sheets there, or not at all") {
+  const auto outcome = [](const std::string& without) { return Outcome{0.2, without.empty() ? 5 : 3}; };
+  Workshop inverted{outcome};
+  CHECK(inverted.run().smoothing.inverted == 3);
+  CHECK(inverted.asked == Asked{"", "ABC"});
+  Workshop once{outcome};
+  CHECK(once.run({true, false}).smoothing.inverted == 5);
+  CHECK(once.asked == Asked{""});
+}
+
+TEST_CASE("sharp edges lost by the labels are left to the next method, where there is one") {
+  const auto outcome = [](const std::string&) { return Outcome{0.3, 0, 0.3, true}; };
+  Workshop next{outcome}, last{outcome};
+  next.run({false, true});
+  CHECK(next.asked == Asked{""});
+  last.run({false, false});
+  CHECK(last.asked.size() == 5);
+}
