@@ -2,6 +2,7 @@
 #include "pipeline/feature_line.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -181,15 +182,22 @@ HexComplex fit_and_smooth(const HexComplex& lattice, const SurfaceMesh& mesh, co
   // A mesh that is not faithful: once more, with paths of any turns for what it lost; kept when it is better.
   const auto insist = [&](SheetTrial& best) {
     FitOptions stubborn = fit;
-    stubborn.insisted = edges_to_insist_on(best.worth, geometry);
+    const std::vector<int> wanted = edges_to_insist_on(best.worth, geometry);
+    std::set_difference(wanted.begin(), wanted.end(), fit.released.begin(), fit.released.end(), std::back_inserter(stubborn.insisted));
+    if (stubborn.insisted.empty()) return;
     SheetRules quick = rules;
     quick.once = true;
     quick.most = 2;
-    run.begin("fit");
-    HexComplex complex = lattice;
-    fit_boundary(complex, mesh, shape, geometry, stubborn, run.context);
-    SheetTrial other = smooth_with_sheets(complex, shape, task, quick, vain);
-    if (is_better(other, best)) best = std::move(other);
+    try {
+      run.begin("fit");
+      HexComplex complex = lattice;
+      fit_boundary(complex, mesh, shape, geometry, stubborn, run.context);
+      SheetTrial other = smooth_with_sheets(complex, shape, task, quick, vain);
+      if (is_better(other, best)) best = std::move(other);
+    } catch (const MeshingError& error) {
+      if (error.kind != Failure::NoMesh) throw;
+      run.context.log("fit: insisting gave up in step " + error.step + ": " + error.reason);
+    }
   };
   for (int round = 1, least = std::numeric_limits<int>::max();; ++round) {
     run.begin("fit");
