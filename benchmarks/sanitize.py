@@ -21,6 +21,7 @@ PACKAGE = ROOT / "build-sanitize" / "python"
 SHARED = ROOT.parent / "shared" / "parts"
 FINDING = re.compile(r"runtime error:|ERROR: AddressSanitizer|AddressSanitizer:DEADLYSIGNAL|CHECK failed")
 SAID = (0, 2, 3, 4)  #: a mesh, or an error that says why there is none
+TIMED_OUT = 130
 
 
 def environment():
@@ -55,7 +56,7 @@ def main():
     parser.add_argument("--limit", type=float, default=900, help="seconds a run")
     arguments = parser.parse_args()
     arguments.out.mkdir(parents=True, exist_ok=True)
-    findings = runs = 0
+    findings = unfinished = runs = 0
     for part, size in parts(arguments.out, arguments.factor):
         for method in arguments.methods.split(",") if re.search(arguments.only, part.name) else ():
             mesh = arguments.out / f"{part.stem}-{method}.vtk"
@@ -65,15 +66,17 @@ def main():
             run = subprocess.run(command, env=environment(), capture_output=True, text=True)
             runs += 1
             lines = run.stderr.splitlines()
-            bad = bool(FINDING.search(run.stderr)) or run.returncode not in (*SAID, 130)
+            bad = bool(FINDING.search(run.stderr)) or run.returncode not in (*SAID, TIMED_OUT)
             findings += bad
+            unfinished += run.returncode == TIMED_OUT
             seconds = time.monotonic() - started
-            print(f"{'FINDING' if bad else 'ok':8s}{part.name:32s} {method:10s} exit {run.returncode}  {seconds:6.1f} s  "
+            verdict = "FINDING" if bad else "unfinished" if run.returncode == TIMED_OUT else "ok"
+            print(f"{verdict:12s}{part.name:32s} {method:10s} exit {run.returncode}  {seconds:6.1f} s  "
                   f"{lines[-1][:90] if lines and run.returncode else ''}", flush=True)
             if bad:
                 print("\n".join(lines[:60]), flush=True)
             mesh.unlink(missing_ok=True)
-    print(f"{runs} runs, {findings} findings")
+    print(f"{runs} runs, {findings} findings, {unfinished} not to their end in {arguments.limit:g} s")
     return 1 if findings else 0
 
 

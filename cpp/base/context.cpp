@@ -10,11 +10,11 @@
 namespace hexfeature {
 namespace {
 
-/// Bytes of this process in memory; 0 where that is not known.
-std::size_t resident_memory() {
+/// Bytes of a process in memory; 0 where that is not known.
+std::size_t resident_memory(const std::string& process = "self") {
   std::size_t pages = 0;
 #ifdef __linux__
-  if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
+  if (std::FILE* file = std::fopen(("/proc/" + process + "/statm").c_str(), "r")) {
     if (std::fscanf(file, "%*u %zu", &pages) != 1) pages = 0;
     std::fclose(file);
   }
@@ -33,6 +33,11 @@ void Context::check_memory() const {
   if (now - Clock::duration(memory_seen_.load(std::memory_order_relaxed)) < kPause) return;
   memory_seen_.store(now.count(), std::memory_order_relaxed);
   if (resident_memory() > most_memory_) throw MemoryLimit();
+}
+
+void Context::check_with_child(int process) const {
+  check();
+  if (most_memory_ > 0 && resident_memory() + resident_memory(std::to_string(process)) > most_memory_) throw MemoryLimit();
 }
 
 }  // namespace hexfeature

@@ -12,7 +12,7 @@
 
 namespace hexfeature {
 
-/// The run has grown beyond Options::memory_limit. Like want of memory it ends the run, not only the method.
+/// The run has grown beyond Options::memory_limit.
 struct MemoryLimit : std::bad_alloc {
   const char* what() const noexcept override { return "memory limit reached"; }
 };
@@ -45,6 +45,8 @@ class Context {
       throw MeshingError(Failure::Cancelled, current_step_, "time limit reached", "raise the time limit or the element size");
     if (most_memory_ > 0) check_memory();
   }
+  /// The same while a child process works for this one: its memory counts too.
+  void check_with_child(int process) const;
   void log(const std::string& line) const {
     if (on_log) on_log(line);
   }

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "base/share.h"
 #include "fit/fit.h"
 #include "pipeline/sheet_trials.h"
 
@@ -102,7 +103,7 @@ SheetTrial smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shap
       trial.suspects.push_back(trial.sheets.names[s]);
     return trial;
   };
-  return try_sheets(mesh_without, rules);
+  return try_sheets(mesh_without, rules, run.context);
 }
 
 /// Marks the points of the elements that are not proved positive.
@@ -189,11 +190,13 @@ HexComplex fit_and_smooth(const HexComplex& lattice, const SurfaceMesh& mesh, co
     quick.once = true;
     quick.most = 2;
     try {
-      run.begin("fit");
-      HexComplex complex = lattice;
-      fit_boundary(complex, mesh, shape, geometry, stubborn, run.context);
-      SheetTrial other = smooth_with_sheets(complex, shape, task, quick, vain);
-      if (is_better(other, best)) best = std::move(other);
+      run_with_share(run.context, kShareForBetter, [&] {
+        run.begin("fit");
+        HexComplex complex = lattice;
+        fit_boundary(complex, mesh, shape, geometry, stubborn, run.context);
+        SheetTrial other = smooth_with_sheets(complex, shape, task, quick, vain);
+        if (is_better(other, best)) best = std::move(other);
+      });
     } catch (const MeshingError& error) {
       if (error.kind != Failure::NoMesh) throw;
       run.context.log("fit: insisting gave up in step " + error.step + ": " + error.reason);

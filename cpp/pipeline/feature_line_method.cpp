@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/share.h"
 #include "pipeline/feature_line.h"
 
 namespace hexfeature {
@@ -50,10 +51,10 @@ Candidate mesh_by_feature_line(const SolidTask& task) {
     attempt.frame = proposal.frame;
     const auto start = Context::Clock::now();
     const bool second_chance = best.has_value();
+    if (second_chance && proposal.frame != frame) break;  // a poor mesh is tried again in its own frame only
     bool hopeless = false;
-    try {
+    const auto try_proposal = [&] {
       if (proposal.frame != frame) {
-        if (best) break;  // a poor mesh is tried again in its own frame only
         frame = proposal.frame;
         task.place(frame);
       }
@@ -75,6 +76,12 @@ Candidate mesh_by_feature_line(const SolidTask& task) {
         candidate.rotation = result.rotation;
         best = std::move(candidate);
       }
+    };
+    try {
+      if (!second_chance)
+        try_proposal();
+      else if (const auto spent = run_with_share(run.context, kShareForBetter, try_proposal))
+        attempt.blame(*spent);
     } catch (const Stopped& stopped) {
       // A lattice has integer coordinates; from the fit on, the mesh is of the placed part.
       if (stopped.step == "fit" || stopped.step == "sheets" || stopped.step == "smooth")
@@ -82,10 +89,7 @@ Candidate mesh_by_feature_line(const SolidTask& task) {
       throw;
     } catch (const MeshingError& error) {
       if (error.kind != Failure::NoMesh) throw;
-      attempt.step = error.step;
-      attempt.reason = error.reason;
-      attempt.hint = error.hint;
-      attempt.cad_faces = error.cad_faces;
+      attempt.blame(error);
       run.context.log("feature-line, proposal " + std::to_string(result.attempts.size() + 1) + " gave up in step " + error.step + ": " +
                       error.reason);
       if (!first_failure) first_failure = error;

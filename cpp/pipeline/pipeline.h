@@ -25,6 +25,13 @@ struct Attempt {
   std::string step, reason, hint;
   std::vector<int> cad_faces;
   double seconds = 0;
+
+  void blame(const MeshingError& error) {
+    step = error.step;
+    reason = error.reason;
+    hint = error.hint;
+    cad_faces = error.cad_faces;
+  }
 };
 
 struct StepTime {

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "base/share.h"
+
 namespace hexfeature {
 namespace {
 
@@ -19,7 +21,7 @@ bool is_better(const SheetTrial& a, const SheetTrial& b) {
   return a.smoothing.min_sj > b.smoothing.min_sj + kSeen;
 }
 
-SheetTrial try_sheets(const std::function<SheetTrial(const SheetNames& without)>& mesh_without, const SheetRules& rules) {
+SheetTrial try_sheets(const std::function<SheetTrial(const SheetNames& without)>& mesh_without, const SheetRules& rules, Context& context) {
   SheetTrial best;
   SheetNames left_out, suspects, together;  // suspects: the next one to leave out last
   for (int trial = 0; trial < rules.most; ++trial) {
@@ -33,7 +35,12 @@ SheetTrial try_sheets(const std::function<SheetTrial(const SheetNames& without)>
       suspects.erase(first, suspects.end());
       if (all) together.clear();
     }
-    SheetTrial next = mesh_without(without);
+    SheetTrial next;
+    const auto make = [&] { next = mesh_without(without); };
+    if (trial == 0 || best.smoothing.inverted > 0)
+      make();
+    else if (run_with_share(context, kShareForBetter, make))
+      break;
     if (trial > 0 && !is_better(next, best)) continue;
     left_out = std::move(without);
     best = std::move(next);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/share.h"
+
 namespace hexfeature {
 namespace {
 
@@ -13,25 +15,6 @@ std::vector<const Method*> chosen_methods(const std::vector<Method>& all, const 
     if (name == "auto" || name == m.name) chosen.push_back(&m);
   return chosen;
 }
-
-/// While it lives a method's own deadline holds, when the run has one: half of the time left.
-class Budget {
- public:
-  Budget(Context& context, bool last) : context_(context), whole_(context.deadline) {
-    const auto now = Context::Clock::now();
-    if (!last && whole_ != Context::Clock::time_point::max() && whole_ > now) context.deadline = now + (whole_ - now) / 2;
-  }
-  ~Budget() { context_.deadline = whole_; }
-  /// Whether the method's time is up while the run's is not.
-  bool spent() const {
-    const auto now = Context::Clock::now();
-    return context_.deadline < whole_ && now > context_.deadline && now < whole_ && !(context_.is_cancelled && context_.is_cancelled());
-  }
-
- private:
-  Context& context_;
-  Context::Clock::time_point whole_;
-};
 
 /// The run's result describes this candidate.
 HexComplex take(Candidate& best, Result& result) {
@@ -50,11 +33,13 @@ HexComplex take(Candidate& best, Result& result) {
 HexComplex mesh_solid(Part& part, int solid, const std::vector<Mat3>& frames, Run& run, const std::vector<Method>& methods) {
   const SolidTask task{part, solid, frames, run};
   std::optional<Candidate> best;
-  std::optional<MeshingError> first_failure;
+  std::optional<MeshingError> failure;  // the first that is not for want of time
+  const auto gave_up = [&](const MeshingError& error) {
+    if (!failure || failure->kind == Failure::Cancelled) failure = error;
+  };
   const std::vector<const Method*> chosen = chosen_methods(methods, run.options.method);
   for (const Method* method : chosen) {
     const auto start = Context::Clock::now();
-    const Budget budget(run.context, method == chosen.back());
     const auto mark_others = [&](const std::string& name) {
       for (Attempt& a : run.result.attempts)
         if (a.solid == solid && a.method == name && a.reason.empty()) {
@@ -62,7 +47,7 @@ HexComplex mesh_solid(Part& part, int solid, const std::vector<Mat3>& frames, Ru
           a.reason = "the mesh of another method is better";
         }
     };
-    try {
+    const auto try_method = [&] {
       Candidate candidate = method->mesh(task);
       if (best && !candidate.worth.better_than(best->worth)) {
         mark_others(candidate.method);
@@ -70,22 +55,24 @@ HexComplex mesh_solid(Part& part, int solid, const std::vector<Mat3>& frames, Ru
         if (best) mark_others(best->method);
         best = std::move(candidate);
       }
-      if (best->worth.sufficient()) break;
-    } catch (const MeshingError& error) {
-      const bool out_of_time = error.kind == Failure::Cancelled && budget.spent();
-      if (error.kind != Failure::NoMesh && !out_of_time) throw;
-      if (out_of_time) {
+    };
+    try {
+      // The last one may take all the time, when there is nothing yet that the rest of the run could go on with.
+      const auto spent = run_with_share(run.context, best || method != chosen.back() ? kShareForBetter : 1, try_method);
+      if (spent) {
         Attempt attempt;
         attempt.method = method->name;
-        attempt.step = error.step;
-        attempt.reason = "its share of the time limit is used up";
-        attempt.hint = "raise the time limit";
+        attempt.blame(*spent);
         task.record(attempt, start);
+        gave_up(*spent);
       }
-      if (!first_failure) first_failure = error;
+    } catch (const MeshingError& error) {
+      if (error.kind != Failure::NoMesh) throw;
+      gave_up(error);
     }
+    if (best && best->worth.sufficient()) break;
   }
-  if (!best) throw *first_failure;
+  if (!best) throw *failure;
   return take(*best, run.result);
 }
 

@@ -33,10 +33,7 @@ Candidate mesh_by_tet_split(const SolidTask& task) {
     return candidate;
   } catch (const MeshingError& error) {
     if (error.kind == Failure::NoMesh) {
-      attempt.step = error.step;
-      attempt.reason = error.reason;
-      attempt.hint = error.hint;
-      attempt.cad_faces = error.cad_faces;
+      attempt.blame(error);
       run.context.log("tet-split gave up in step " + error.step + ": " + error.reason);
       task.record(attempt, start);
     }

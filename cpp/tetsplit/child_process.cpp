@@ -76,7 +76,7 @@ ChildResult run_child(const std::string& program, const std::vector<char>& input
   bool sending = true;
   std::vector<char> buffer(1 << 16);
   for (;;) {
-    context.check();
+    context.check_with_child(child.pid);
     pollfd wait{child.socket, static_cast<short>(POLLIN | (sending ? POLLOUT : 0)), 0};
     const int ready = poll(&wait, 1, kPollMilliseconds);
     if (ready < 0 && errno != EINTR) return result;

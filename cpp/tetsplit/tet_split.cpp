@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "base/share.h"
 #include "mesh/hex_element.h"
 #include "tetsplit/relief.h"
 #include "tetsplit/remesh.h"
@@ -68,54 +69,61 @@ HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const
   std::optional<Remesher> cut;  // without the tips of faces
   int work = 0;
   std::optional<MeshingError> failure;
+  const auto there = [&] { return best && report.smoothing.inverted == 0; };
+  const auto make = [&](int attempt) {
+    context.progress("tet-split", static_cast<double>(attempt) / options.attempts);
+    const bool refining = attempt == 1 && best;
+    SizeField field = base.scaled(refining ? 1 : kLengths[std::min<std::size_t>(attempt, kLengths.size() - 1)]);
+    if (refining) {
+      field.refine(bad_places(*best, options.good_enough, context), kFiner, context);
+      if (report.smoothing.min_sj < kTipsForbid) {
+        cut.emplace(whole);
+        context.log("tet-split: " + std::to_string(cut->cut_tips(kTipWidth * h, kTipLength * h, context)) + " tips cut");
+      }
+    }
+    Remesher remesher = cut ? *cut : whole;
+    remesher.remesh([&](const Vec3& p) { return field.at(p); }, 6, context);
+    remesher.cut_ears(context);
+    std::vector<int> pinned;
+    const SurfaceMesh triangles = remesher.result(context, &pinned);
+    TetOptions filling;
+    filling.longest = sizes.longest;
+    filling.program = options.netgen;
+    TetMesh tets = fill_with_tetrahedra(triangles, filling, context);
+    relieve_boundary(tets, triangles, context);
+    HexComplex mesh = split_tetrahedra(tets, triangles, geometry, context);
+    smoothing.held = pinned;
+    const SmoothReport smoothed = smooth(mesh, *geometry.projector, smoothing, context);
+    context.log("tet-split, attempt " + std::to_string(attempt + 1) + ": " + std::to_string(triangles.triangle_count()) + " triangles, " +
+                std::to_string(tets.tets.size()) + " tetrahedra, worst " + std::to_string(smoothed.min_sj) + ", inverted " +
+                std::to_string(smoothed.inverted));
+    work += mesh.hex_count();
+    const bool better = !best || (smoothed.inverted != report.smoothing.inverted ? smoothed.inverted < report.smoothing.inverted
+                                                                                 : smoothed.min_sj > report.smoothing.min_sj);
+    if (better) {
+      report.smoothing = smoothed;
+      report.triangles = triangles.triangle_count();
+      report.tetrahedra = static_cast<int>(tets.tets.size());
+      best = std::move(mesh);
+    } else if (attempt == 1) {
+      cut.reset();  // that did not help
+    }
+  };
   for (int attempt = 0; attempt < options.attempts; ++attempt) {
     ++report.attempts;
     try {
-      context.progress("tet-split", static_cast<double>(attempt) / options.attempts);
-      const bool refining = attempt == 1 && best;
-      SizeField field = base.scaled(refining ? 1 : kLengths[std::min<std::size_t>(attempt, kLengths.size() - 1)]);
-      if (refining) {
-        field.refine(bad_places(*best, options.good_enough, context), kFiner, context);
-        if (report.smoothing.min_sj < kTipsForbid) {
-          cut.emplace(whole);
-          context.log("tet-split: " + std::to_string(cut->cut_tips(kTipWidth * h, kTipLength * h, context)) + " tips cut");
-        }
-      }
-      Remesher remesher = cut ? *cut : whole;
-      remesher.remesh([&](const Vec3& p) { return field.at(p); }, 6, context);
-      remesher.cut_ears(context);
-      std::vector<int> pinned;
-      const SurfaceMesh triangles = remesher.result(context, &pinned);
-      TetOptions filling;
-      filling.longest = sizes.longest;
-      filling.program = options.netgen;
-      TetMesh tets = fill_with_tetrahedra(triangles, filling, context);
-      relieve_boundary(tets, triangles, context);
-      HexComplex mesh = split_tetrahedra(tets, triangles, geometry, context);
-      smoothing.held = pinned;
-      const SmoothReport smoothed = smooth(mesh, *geometry.projector, smoothing, context);
-      context.log("tet-split, attempt " + std::to_string(attempt + 1) + ": " + std::to_string(triangles.triangle_count()) + " triangles, " +
-                  std::to_string(tets.tets.size()) + " tetrahedra, worst " + std::to_string(smoothed.min_sj) + ", inverted " +
-                  std::to_string(smoothed.inverted));
-      work += mesh.hex_count();
-      const bool better = !best || (smoothed.inverted != report.smoothing.inverted ? smoothed.inverted < report.smoothing.inverted
-                                                                                   : smoothed.min_sj > report.smoothing.min_sj);
-      if (better) {
-        report.smoothing = smoothed;
-        report.triangles = triangles.triangle_count();
-        report.tetrahedra = static_cast<int>(tets.tets.size());
-        best = std::move(mesh);
-      } else if (attempt == 1) {
-        cut.reset();  // that did not help
-      }
-      if (smoothed.inverted == 0 && smoothed.min_sj >= options.good_enough) break;
-      if (smoothed.inverted == 0 && smoothed.min_sj >= kBearable && work > kMostWork) break;
+      if (!there())
+        make(attempt);
+      else if (run_with_share(context, kShareForBetter, [&] { make(attempt); }))
+        break;
     } catch (const MeshingError& error) {
       if (error.kind != Failure::NoMesh) throw;
       context.log("tet-split, attempt " + std::to_string(attempt + 1) + " gave up in step " + error.step + ": " + error.reason);
       failure = error;
       if (attempt == 1) cut.reset();
     }
+    if (!there()) continue;
+    if (report.smoothing.min_sj >= options.good_enough || (report.smoothing.min_sj >= kBearable && work > kMostWork)) break;
   }
   if (!best) throw *failure;
   if (report.smoothing.inverted > 0)

@@ -18,7 +18,7 @@ from hexfeature.errors import EXIT_CODES, make_error
 
 _STOP = {signal.SIGINT, signal.SIGTERM} | ({signal.SIGHUP} if hasattr(signal, "SIGHUP") else set())
 WRITTEN = "written"  #: the step after the mesh file has its name
-_GRACE = 0.15  #: seconds for what comes after that
+_GRACE = 0.15  #: seconds for what comes after that, and for the core's own look at the time, which can say more
 _GRACE_TO_TELL = 5  #: seconds for a worker that has stopped by itself and is telling its error
 _PARENT_DEATH = 1  #: Linux's PR_SET_PDEATHSIG
 
@@ -110,7 +110,7 @@ def _die_with(guard):
 
 
 def _wait(worker, board, time_limit, outputs):
-    deadline = time.monotonic() + time_limit if time_limit > 0 else None
+    deadline = time.monotonic() + time_limit + _GRACE if time_limit > 0 else None
     why = None
     while True:
         ended, status = os.waitpid(worker, os.WNOHANG)
@@ -126,8 +126,8 @@ def _wait(worker, board, time_limit, outputs):
         if why:
             if board.step() == WRITTEN and _ends_within(worker, _GRACE):
                 continue  # the mesh is there: let the run be what it was
-            if board.telling() and _ends_within(worker, _GRACE_TO_TELL):
-                continue  # its own look at the time came first: one error is enough
+            if board.telling() and _ends_within(worker, _GRACE if got else _GRACE_TO_TELL):
+                continue  # it has stopped by itself: one error is enough
             os.kill(worker, signal.SIGKILL)
             os.waitpid(worker, 0)
             break

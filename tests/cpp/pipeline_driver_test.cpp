@@ -118,18 +118,68 @@ TEST_CASE("what is not for want of a mesh ends the run") {
   CHECK_THROWS_AS(run({fails("one", Failure::Cancelled), yields("two", true, 0.5, 0.9)}), MeshingError);
 }
 
+namespace {
+
+const Method kSlow{"slow", [](const SolidTask& task) -> Candidate {
+                     Context& context = task.run.context;
+                     CHECK(context.deadline < Context::Clock::now() + std::chrono::seconds(1801));  // half of the hour
+                     context.deadline = Context::Clock::now() - std::chrono::milliseconds(1);       // time flies
+                     context.check();
+                     FAIL("not stopped");
+                     return {};
+                   }};
+
+const Method kLarge{"large", [](const SolidTask&) -> Candidate { throw MemoryLimit(); }};
+
+}  // namespace
+
 TEST_CASE("a method that uses up its share of the time makes room for the next") {
-  const Method slow{"slow", [](const SolidTask& task) -> Candidate {
-                      Context& context = task.run.context;
-                      CHECK(context.deadline < Context::Clock::now() + std::chrono::seconds(1801));  // half of the hour
-                      context.deadline = Context::Clock::now() - std::chrono::milliseconds(1);       // time flies
-                      context.check();
-                      FAIL("not stopped");
-                      return {};
-                    }};
-  const Outcome outcome = run({slow, yields("quick", true, 0.4, 0.6)}, "auto", 3600);
+  const Outcome outcome = run({kSlow, yields("quick", true, 0.4, 0.6)}, "auto", 3600);
   CHECK(outcome.result.method == "quick");
   REQUIRE(outcome.result.attempts.size() == 2);
   CHECK(outcome.result.attempts[0].method == "slow");
   CHECK(outcome.result.attempts[0].reason == "its share of the time limit is used up");
+}
+
+TEST_CASE("a mesh that is there is kept when the next method has no time or memory left") {
+  const Method poor = yields("poor", true, 0.05, 0.5);
+  const Outcome late = run({poor, kSlow}, "auto", 3600);
+  CHECK(late.result.method == "poor");
+  REQUIRE(late.result.attempts.size() == 2);
+  CHECK(late.result.attempts[0].reason.empty());
+  CHECK(late.result.attempts[1].reason == "its share of the time limit is used up");
+  const Outcome large = run({poor, kLarge});
+  CHECK(large.result.method == "poor");
+  REQUIRE(large.result.attempts.size() == 2);
+  CHECK(large.result.attempts[1].reason == "memory limit reached");
+}
+
+TEST_CASE("a method that needs too much memory makes room for the next") {
+  CHECK(run({kLarge, yields("small", true, 0.4, 0.6)}).result.method == "small");
+  try {
+    run({kLarge}, "large");
+    FAIL("no error");
+  } catch (const MeshingError& error) {
+    CHECK(error.kind == Failure::NoMesh);
+    CHECK(error.reason == "memory limit reached");
+  }
+}
+
+TEST_CASE("why no mesh could be made is told rather than that time ran out") {
+  try {
+    run({kSlow, fails("second", Failure::NoMesh)}, "auto", 3600);
+    FAIL("no error");
+  } catch (const MeshingError& error) {
+    CHECK(error.kind == Failure::NoMesh);
+    CHECK(error.reason == "second cannot");
+  }
+}
+
+TEST_CASE("a cancel ends the run, also with a mesh there") {
+  const Method cancelled{"cancelled", [](const SolidTask& task) -> Candidate {
+                           task.run.context.is_cancelled = [] { return true; };
+                           task.run.context.check();
+                           return {};
+                         }};
+  CHECK_THROWS_AS(run({yields("poor", true, 0.05, 0.5), cancelled}, "auto", 3600), MeshingError);
 }

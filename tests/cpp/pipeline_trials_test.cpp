@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include "pipeline/sheet_trials.h"
 
@@ -40,7 +41,8 @@ struct Workshop {
     return trial;
   }
   SheetTrial run(const SheetRules& rules = {}) {
-    return try_sheets([this](const SheetNames& without) { return mesh(without); }, rules);
+    Context context;
+    return try_sheets([this](const SheetNames& without) { return mesh(without); }, rules, context);
   }
 };
 
@@ -102,4 +104,26 @@ TEST_CASE("sharp edges lost by the labels are left to the next method, where the
   CHECK(next.asked == Asked{""});
   last.run({false, false});
   CHECK(last.asked.size() == 5);
+}
+
+TEST_CASE("when the time for more trials is used up, the mesh that is there stays") {
+  Context context;
+  context.deadline = Context::Clock::now() + std::chrono::hours(1);
+  int asked = 0;
+  const SheetTrial kept = try_sheets(
+      [&](const SheetNames&) {
+        if (++asked > 1) {
+          context.deadline = Context::Clock::now() - std::chrono::milliseconds(1);  // time flies
+          context.check();
+        }
+        SheetTrial trial;
+        trial.worth.faithful = true;
+        trial.smoothing.min_sj = 0.3;
+        trial.suspects = {{0}, {1}};
+        return trial;
+      },
+      {}, context);
+  CHECK(asked == 2);
+  CHECK(kept.smoothing.min_sj == 0.3);
+  CHECK(context.deadline > Context::Clock::now() + std::chrono::minutes(59));
 }

@@ -8,6 +8,7 @@
 #include "mesh/hex_element.h"
 #include "quality/topology.h"
 #include "surface_fixtures.h"
+#include "tetsplit/child_process.h"
 #include "tetsplit/relief.h"
 #include "tetsplit/remesh.h"
 #include "tetsplit/size_field.h"
@@ -196,6 +197,13 @@ TEST_CASE("a cancel reaches the tetrahedral mesher's process") {
   int asked = 0;
   context.is_cancelled = [&] { return ++asked > 3; };
   CHECK_THROWS_AS(fill_with_tetrahedra(surface, {}, context), MeshingError);
+}
+
+TEST_CASE("the memory of a child process counts, and it is ended") {
+  const std::string text = "x=$(head -c 200000000 /dev/zero | tr '\\0' a); sleep 60\n";
+  Context context;
+  context.limit_memory(50'000'000);
+  CHECK_THROWS_AS(run_child("/bin/sh", {text.begin(), text.end()}, context), MemoryLimit);
 }
 
 TEST_CASE("without the tetrahedral mesher the error says what to install") {

@@ -29,11 +29,20 @@ def test_auto_ends_with_the_first_method_that_suffices(parts):
     assert sum(a["made_the_mesh"] for a in mesh.report["attempts"]) == 1
 
 
+@pytest.mark.parametrize("part", ["plate.step", "turned_plate.step"])
 @pytest.mark.parametrize("method", ["tet-split", "auto"])
-def test_the_same_file_whatever_the_threads(parts, tmp_path, method):
+def test_the_same_file_whatever_the_threads(parts, tmp_path, method, part):
     for threads in (1, 2):
-        hexfeature.mesh(parts / "plate.step", size=5, method=method, threads=threads).write(tmp_path / f"{threads}.vtk")
+        hexfeature.mesh(parts / part, size=5, method=method, threads=threads).write(tmp_path / f"{threads}.vtk")
     assert filecmp.cmp(tmp_path / "1.vtk", tmp_path / "2.vtk", shallow=False)
+
+
+@pytest.mark.parametrize("method", ["tet-split", "auto"])
+def test_the_memory_limit_ends_every_method_with_an_error(parts, method):
+    with pytest.raises(hexfeature.MeshingError) as caught:
+        hexfeature.mesh(parts / "plate.step", size=0.8, method=method, memory_limit=15)
+    assert (caught.value.kind, caught.value.reason) == ("no_mesh", "memory limit reached")
+    assert caught.value.step not in ("", "start") and "memory" in caught.value.hint
 
 
 def test_limits_of_the_part_stand_beside_the_result(parts, tmp_path):
