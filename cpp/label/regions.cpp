@@ -148,7 +148,9 @@ Regions cut_regions(const SurfaceMesh& input, const Geometry& geometry, const Re
   std::vector<int> key(mesh.triangle_count());
   for (int t = 0; t < mesh.triangle_count(); ++t) key[t] = 8 * mesh.triangle_face[t] + piece[t];
   result.site = connected_components(mesh, key);
-  merge_small_sites(mesh, face_area, options.least_share, options.least_area * options.size * options.size, result.site);
+  const LeastSite least{options.least_share, options.least_area * options.size * options.size, options.strip_share,
+                        options.least_width * options.size};
+  merge_small_sites(mesh, face_area, geometry, least, result.site);
   const int sites = result.site.empty() ? 0 : 1 + *std::max_element(result.site.begin(), result.site.end());
   result.site_face.assign(sites, 0);
   for (int t = 0; t < mesh.triangle_count(); ++t) result.site_face[result.site[t]] = mesh.triangle_face[t];

@@ -15,7 +15,9 @@ struct RegionOptions {
   double tie = 0.97;          ///< free-form faces are cut where two squared normal components are equal and both >= tie * the third
   double snap = 0.12;         ///< a cut within this fraction of a mesh edge's end takes the vertex there
   double least_share = 0.02;  ///< sites under this share of their face ...
-  double least_area = 0.1;    ///< ... and under this many h^2 join a neighbour of their face
+  double least_area = 0.1;    ///< ... and under this many h^2 join a neighbour of their face,
+  double strip_share = 0.3;   ///< so do those along a tangent CAD edge that are under this share
+  double least_width = 0.3;   ///< ... and narrower than this many h: a chart border on that edge is better than one just beside it
 };
 
 /// The part's surface cut into CAD regions: the sites that the default labeller gives labels to (design 3.3).

@@ -6,17 +6,35 @@
 #include <numeric>
 
 namespace hexfeature {
+namespace {
 
-void merge_small_sites(const SurfaceMesh& mesh, const std::vector<double>& face_area, double least_share, double least_area,
+/// Share of its outline that a strip has in common with tangent neighbours when it lies along one: nearly half.
+constexpr double kBeside = 0.4;
+
+}  // namespace
+
+void merge_small_sites(const SurfaceMesh& mesh, const std::vector<double>& face_area, const Geometry& geometry, const LeastSite& least_site,
                        std::vector<int>& site) {
   const int sites = site.empty() ? 0 : 1 + *std::max_element(site.begin(), site.end());
-  std::vector<double> area(sites, 0);
+  std::vector<double> area(sites, 0), outline(sites, 0), tangent(sites, 0);
   std::vector<int> face(sites, 0);
   for (int t = 0; t < mesh.triangle_count(); ++t) {
     area[site[t]] += mesh.area(t);
     face[site[t]] = mesh.triangle_face[t];
   }
-  const auto small = [&](int s) { return area[s] < least_area && area[s] < least_share * face_area[face[s]]; };
+  for (int h = 0; h < 3 * mesh.triangle_count(); ++h) {
+    const int s = site[h / 3], other = site[mesh.opposite[h] / 3];
+    if (s == other) continue;
+    const double length = (mesh.points[mesh.to(h)] - mesh.points[mesh.from(h)]).norm();
+    outline[s] += length;
+    if (geometry.edges && face[s] != face[other] && mesh.halfedge_edge[h] > 0 && !geometry.edge(mesh.halfedge_edge[h]).sharp)
+      tangent[s] += length;
+  }
+  const auto small = [&](int s) {
+    const double share = area[s] / face_area[face[s]];
+    return (area[s] < least_site.area && share < least_site.share) ||
+           (2 * area[s] < least_site.width * outline[s] && share < least_site.strip_share && tangent[s] > kBeside * outline[s]);
+  };
   std::vector<int> order;
   for (int s = 0; s < sites; ++s)
     if (small(s)) order.push_back(s);
@@ -42,6 +60,7 @@ void merge_small_sites(const SurfaceMesh& mesh, const std::vector<double>& face_
       if (best < 0) continue;
       joined[s] = best;
       area[best] += area[s];
+      outline[best] += outline[s] - 2 * most;
       for (const auto& [other, length] : border[s]) {
         border[other].erase(s);
         if (other == best) continue;

@@ -29,6 +29,7 @@ Worth worth_of(const HexComplex& mesh, const SmoothReport& smoothing, const Soli
   worth.lost_edges = kept.sharp_edges_not_followed;
   worth.lost_faces = kept.faces_without_quads;
   worth.lost_faces.insert(worth.lost_faces.end(), kept.faces_not_covered.begin(), kept.faces_not_covered.end());
+  std::sort(worth.lost_faces.begin(), worth.lost_faces.end());
   worth.min_sj = smoothing.min_sj;
   worth.mean_sj = smoothing.mean_sj;
   const auto list = [](const std::vector<int>& ids) {

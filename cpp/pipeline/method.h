@@ -16,7 +16,7 @@ struct Worth {
   bool faithful = false;    ///< every CAD face is covered by its quads, every sharp CAD edge followed, every corner a node
   double lost = 0;          ///< of that: share of the sharp edges' length, 0.025 for each face lost or not covered, 0.01 for each corner
   double min_sj = 0, mean_sj = 0;
-  std::vector<int> lost_edges, lost_faces;  ///< sharp CAD edges not followed; CAD faces without quads or not covered by them
+  std::vector<int> lost_edges, lost_faces;  ///< sharp CAD edges not followed; CAD faces without quads or not covered by them, sorted
 
   bool sound() const { return min_sj >= 0.2; }
   /// Nothing that another proposal could be expected to do better.

@@ -1,6 +1,7 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #include "pipeline/sheet_trials.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/share.h"
@@ -23,17 +24,25 @@ bool is_better(const SheetTrial& a, const SheetTrial& b) {
 
 SheetTrial try_sheets(const std::function<SheetTrial(const SheetNames& without)>& mesh_without, const SheetRules& rules, Context& context) {
   SheetTrial best;
-  SheetNames left_out, suspects, together;  // suspects: the next one to leave out last
+  // suspects: the next one to leave out last; all: ever inserted.
+  SheetNames left_out, suspects, together, all;
+  bool bare = false;
   for (int trial = 0; trial < rules.most; ++trial) {
     SheetNames without = left_out;
     if (trial > 0) {
       if (suspects.empty()) suspects.swap(together);
-      if (suspects.empty()) break;
-      const bool all = best.smoothing.inverted > 0 || together.empty();
-      const auto first = all ? suspects.begin() : suspects.end() - 1;
-      without.insert(without.end(), first, suspects.end());
-      suspects.erase(first, suspects.end());
-      if (all) together.clear();
+      if (!suspects.empty()) {
+        const bool at_once = best.smoothing.inverted > 0 || together.empty();
+        const auto first = at_once ? suspects.begin() : suspects.end() - 1;
+        without.insert(without.end(), first, suspects.end());
+        suspects.erase(first, suspects.end());
+        if (at_once) together.clear();
+      } else if (!bare && best.smoothing.inverted == 0 && !best.worth.sound() && best.sheets.inserted > 0) {
+        without = all;
+        bare = true;
+      } else {
+        break;
+      }
     }
     SheetTrial next;
     const auto make = [&] { next = mesh_without(without); };
@@ -41,11 +50,13 @@ SheetTrial try_sheets(const std::function<SheetTrial(const SheetNames& without)>
       make();
     else if (run_with_share(context, kShareForBetter, make))
       break;
+    for (const std::vector<int>& name : next.sheets.names)
+      if (std::find(all.begin(), all.end(), name) == all.end()) all.push_back(name);
     if (trial > 0 && !is_better(next, best)) continue;
     left_out = std::move(without);
     best = std::move(next);
     const bool inverted = best.smoothing.inverted > 0;
-    suspects = inverted || best.smoothing.min_sj < kGoodEnough ? best.suspects : SheetNames{};
+    suspects = inverted || !best.worth.faithful || best.smoothing.min_sj < kGoodEnough ? best.suspects : SheetNames{};
     together = suspects.size() > 1 ? suspects : SheetNames{};
     if (inverted && rules.once) break;
     if (best.worth.edges_lost && rules.another_way) break;

@@ -9,6 +9,9 @@
 namespace hexfeature {
 namespace {
 
+// Cosine of 155 degrees: the largest corner, as inserted, of a quad that the sheet may leave on an arc.
+constexpr double kBend = -0.906;
+
 // Local corner of hexahedron `nodes` at node v.
 int corner_of(const std::array<int, 8>& nodes, int v) { return static_cast<int>(std::find(nodes.begin(), nodes.end(), v) - nodes.begin()); }
 
@@ -376,13 +379,16 @@ class Inserter {
     }
   }
 
-  // A new quad with two neighbouring edges on one CAD edge would have a corner of 180 degrees. Sets the refusal.
+  // A new quad with two neighbouring edges on one CAD edge would have a corner of 180 degrees, unless that edge is a tight arc. Sets the
+  // refusal.
   void check_curves() {
     for (std::size_t q = old_.quads.size(); q < result_.quads.size(); ++q)
       for (int i = 0; i < 4; ++i) {
         const auto& n = result_.quads[q];
         const int cad = feature_of(result_, n[i], n[(i + 1) % 4]), node = n[(i + 1) % 4];
         if (cad == 0 || cad != feature_of(result_, node, n[(i + 2) % 4])) continue;
+        const Vec3 back = result_.points[n[i]] - result_.points[node], on = result_.points[n[(i + 2) % 4]] - result_.points[node];
+        if (back.normalized().dot(on.normalized()) > kBend) continue;  // the edge bends enough by itself
         refusal_.reason = "the sheet would leave along CAD edge " + std::to_string(cad) + " and turn off it within one quad";
         const int old_node = node < old_.point_count() ? node : copies_[node - old_.point_count()].node;
         for (std::size_t e = 0; e < old_.feature_edges.size(); ++e) {

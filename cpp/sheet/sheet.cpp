@@ -112,16 +112,16 @@ SheetReport insert_sheets(HexComplex& complex, const FeatureShape& shape, const 
     std::vector<int> covered;
     const int begin = complex.hex_count();
     const std::string refusal = insert_sheet(complex, shape, geometry, group, options, context, &covered);
+    if (!refusal.empty()) covered = group.floor_chart >= 0 ? std::vector<int>{group.floor_chart} : group.charts;
+    std::string where = group.floor_chart >= 0 ? "sheet under the floor of chart" : "sheet along charts";
+    for (int c : covered) where += " " + std::to_string(c);
     if (!refusal.empty()) {
       ++report.refused;
       report.refusals.push_back(refusal);
-      context.log((group.floor_chart >= 0 ? "floor's sheet refused: " : "sheet refused: ") + refusal);
+      context.log(where + " refused: " + refusal);
       continue;
     }
-    std::string charts;
-    for (int c : covered) charts += " " + std::to_string(c);
-    context.log((group.floor_chart >= 0 ? "sheet under the floor of chart" : "sheet along charts") + charts + ": " +
-                std::to_string(complex.hex_count() - begin) + " hexahedra");
+    context.log(where + ": " + std::to_string(complex.hex_count() - begin) + " hexahedra");
     ++report.inserted;
     report.chart_groups.push_back(std::move(covered));
     report.names.push_back(done.back());

@@ -3,21 +3,28 @@
 // Tiny CAD shapes made with OCCT, handed over as B-rep text, the way FreeCAD does.
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRepTools.hxx>
+#include <GC_MakeArcOfCircle.hxx>
 #include <TopoDS_Shape.hxx>
+#include <cmath>
 #include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Trsf.hxx>
 #include <memory>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "brep/cad_model.h"
 
@@ -52,6 +59,16 @@ inline TopoDS_Shape turned(const TopoDS_Shape& shape, double ax, double ay, doub
 inline TopoDS_Shape cut(const TopoDS_Shape& a, const TopoDS_Shape& b) { return BRepAlgoAPI_Cut(a, b).Shape(); }
 inline TopoDS_Shape fuse(const TopoDS_Shape& a, const TopoDS_Shape& b) { return BRepAlgoAPI_Fuse(a, b).Shape(); }
 inline TopoDS_Shape as_splines(const TopoDS_Shape& shape) { return BRepBuilderAPI_NurbsConvert(shape).Shape(); }
+/// A square bar of that side and height, one of its upright edges rounded.
+inline TopoDS_Shape rounded_block(double side, double r, double height) {
+  const double c = side - r, m = c + r * std::sqrt(0.5);
+  const gp_Pnt p[] = {{0, 0, 0}, {side, 0, 0}, {side, c, 0}, {c, side, 0}, {0, side, 0}};
+  BRepBuilderAPI_MakeWire wire;
+  for (const auto& [a, b] : {std::pair{0, 1}, {1, 2}}) wire.Add(BRepBuilderAPI_MakeEdge(p[a], p[b]));
+  wire.Add(BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(p[2], gp_Pnt(m, m, 0), p[3]).Value()));
+  for (const auto& [a, b] : {std::pair{3, 4}, {4, 0}}) wire.Add(BRepBuilderAPI_MakeEdge(p[a], p[b]));
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire.Wire()), gp_Vec(0, 0, height)).Shape();
+}
 /// A plate 40 x 30 x 8 with a hole of radius 6.
 inline TopoDS_Shape plate_with_hole() { return cut(box(40, 30, 8), moved(cylinder(6, 20), 15, 15, -5)); }
 

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 
+#include "cad_shapes.h"
 #include "fixtures.h"
 #include "label/regions.h"
 #include "round_fixtures.h"
 #include "shape/partition.h"
+#include "surface_fixtures.h"
 
 using namespace hexfeature;
 using namespace fixtures;
@@ -85,6 +87,23 @@ TEST_CASE("an oblique cylinder has straight strips along its axis, cut across at
   CHECK(r.site_count() == 10);
   const auto short_one = round_cylinder(20, 3, 1, 0.4, turned(40, Vec3(1, 0, 0)));
   CHECK(cut(*short_one, 0.5).site_count() == 6);
+}
+
+TEST_CASE("a narrow strip along a tangent edge is not cut off") {
+  // A fillet of radius 2 turned by 30 degrees: the cut leaves 15 degrees of it, 0.52 wide, beside the plane.
+  const auto model = cad_shapes::model_of(cad_shapes::turned(cad_shapes::rounded_block(10, 2, 6), 0, 0, -30));
+  const auto sites_of_fillet = [&](double h) {
+    Context context;
+    RegionOptions options;
+    options.size = h;
+    const Regions r = cut_regions(cad_shapes::surface_of(*model, h), model->geometry(), options, context);
+    check_sites(r);
+    int count = 0;
+    for (int face : r.site_face) count += model->faces[face - 1].kind == SurfaceKind::Cylinder;
+    return count;
+  };
+  CHECK(sites_of_fillet(1) == 2);
+  CHECK(sites_of_fillet(3) == 1);
 }
 
 TEST_CASE("a sphere has six sites of equal area") {

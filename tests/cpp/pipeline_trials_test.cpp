@@ -36,6 +36,9 @@ struct Workshop {
     trial.worth.faithful = o.lost == 0 && o.inverted == 0;
     trial.worth.edges_lost = o.edges_lost;
     trial.sheets.taken_back = static_cast<int>(without.size());
+    for (int sheet = 0; sheet < 3; ++sheet)
+      if (letters.find(static_cast<char>('A' + sheet)) == std::string::npos) trial.sheets.names.push_back({sheet});
+    trial.sheets.inserted = static_cast<int>(trial.sheets.names.size());
     for (char c : worst_at)
       if (letters.find(c) == std::string::npos) trial.suspects.push_back({c - 'A'});
     return trial;
@@ -54,9 +57,24 @@ TEST_CASE("a good mesh keeps all its sheets, and so does one that is bad elsewhe
   Workshop good{[](const std::string&) { return Outcome{0.6}; }};
   CHECK(good.run().smoothing.min_sj == 0.6);
   CHECK(good.asked == Asked{""});
-  Workshop elsewhere{[](const std::string&) { return Outcome{0.1}; }, ""};
+  Workshop elsewhere{[](const std::string&) { return Outcome{0.3}; }, ""};
   elsewhere.run();
   CHECK(elsewhere.asked == Asked{""});
+}
+
+TEST_CASE("a mesh with a bad element far from all sheets is made once without any") {
+  Workshop without_any{[](const std::string& without) { return Outcome{without.empty() ? 0.1 : 0.15}; }, ""};
+  CHECK(without_any.run().smoothing.min_sj == 0.15);
+  CHECK(without_any.asked == Asked{"", "ABC"});
+  Workshop in_vain{[](const std::string& without) { return Outcome{without.empty() ? 0.15 : 0.1}; }, "C"};
+  CHECK(in_vain.run().smoothing.min_sj == 0.15);
+  CHECK(in_vain.asked == Asked{"", "C", "ABC"});
+}
+
+TEST_CASE("a good mesh that is not faithful is tried without the sheets at what it loses") {
+  Workshop lossy{[](const std::string& without) { return Outcome{0.7, 0, without == "B" ? 0 : 0.025}; }, "BC"};
+  CHECK(lossy.run().worth.faithful);
+  CHECK(lossy.asked == Asked{"", "C", "B"});
 }
 
 TEST_CASE("sheets at the worst element are left out one by one, the last first, then all; the best stays") {

@@ -240,10 +240,11 @@ TEST_CASE("at most so many sheets; a refused sheet leaves the complex alone; the
   CHECK(part.complex.hexes == before);
 }
 
-TEST_CASE("a sheet that leaves along a CAD edge and turns off it within one quad is refused") {
-  auto part = pocket_part(3);
+namespace {
+
+/// What becomes of a sheet round everything but one hexahedron of a pocket's part: the middle one of three at an edge of the floor's rim.
+LayerRefusal leave_along_the_rim(HexPart& part, const SheetOptions& options = {}) {
   const HexTopology t = make_topology(part.complex);
-  // Everything shrinks but one hexahedron: the middle one of three at an edge of the floor's rim.
   ShrinkSet set;
   set.inside.assign(part.complex.hexes.size(), 1);
   set.covered.assign(part.shape.chart_count(), 0);
@@ -257,12 +258,28 @@ TEST_CASE("a sheet that leaves along a CAD edge and turns off it within one quad
     }
     break;
   }
+  return insert_layer(part.complex, t, part.shape, part.geometry(), set, options, {});
+}
+
+}  // namespace
+
+TEST_CASE("a sheet that leaves along a CAD edge and turns off it within one quad is refused") {
+  auto part = pocket_part(3);
   const auto before = part.complex.hexes;
-  const LayerRefusal refusal = insert_layer(part.complex, t, part.shape, part.geometry(), set, {}, {});
+  const LayerRefusal refusal = leave_along_the_rim(part);
   CAPTURE(refusal.reason);
   CHECK(refusal.reason.find("one quad") != std::string::npos);
   CHECK(!refusal.together.empty());
   CHECK(part.complex.hexes == before);
+}
+
+TEST_CASE("... unless the quad's two edges on it are long enough for the arc to turn off by itself") {
+  auto part = pocket_part(2);
+  SheetOptions thick;
+  thick.thickness = 1.5;  // 22 degrees of the rim to one side, 34 to the other: a corner of 152
+  const LayerRefusal refusal = leave_along_the_rim(part, thick);
+  CAPTURE(refusal.reason);
+  CHECK(refusal.reason.find("one quad") == std::string::npos);
 }
 
 TEST_CASE("sheets are left out by name, one by one; those near bad elements are found") {
