@@ -73,25 +73,6 @@ void require_valid(const LabelResult& labels) {
                      "try a smaller element size, or simplify the faces named", cad_faces_of(labels.shape, worst.charts));
 }
 
-/// The sheets at the worst element, and those under faces that a mesh without inverted elements does not cover.
-SheetNames suspects_of(const SheetTrial& trial) {
-  const HexComplex& mesh = trial.mesh;
-  std::vector<int> near = sheets_near(mesh, trial.sheets, proved_scaled_jacobians(mesh.points, mesh.hexes), trial.smoothing.min_sj + 1e-6);
-  std::set<int> lost_charts;
-  for (std::size_t q = 0; q < mesh.quads.size(); ++q)
-    if (std::binary_search(trial.worth.lost_faces.begin(), trial.worth.lost_faces.end(), mesh.quad_face[q]))
-      lost_charts.insert(mesh.quad_chart[q]);
-  for (int s = 0; s < trial.sheets.inserted; ++s) {
-    const std::vector<int>& charts = trial.sheets.chart_groups[s];
-    if (std::any_of(charts.begin(), charts.end(), [&](int c) { return lost_charts.count(c) > 0; })) near.push_back(s);
-  }
-  std::sort(near.begin(), near.end());
-  near.erase(std::unique(near.begin(), near.end()), near.end());
-  SheetNames names;
-  for (int s : near) names.push_back(trial.sheets.names[s]);
-  return names;
-}
-
 /// The fitted lattice with the sheets that pay, smoothed. `vain` counts the elements of all meshes that stayed inverted.
 SheetTrial smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shape, const SolidTask& task, const SheetRules& rules,
                               int& vain) {
@@ -117,7 +98,9 @@ SheetTrial smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shap
     run.context.log("with " + std::to_string(trial.sheets.inserted) + " sheets: min SJ " + std::to_string(trial.smoothing.min_sj));
     if (trial.smoothing.inverted == 0) trial.worth = worth_of(trial.mesh, trial.smoothing, task);
     if (trial.smoothing.inverted > 0) vain += trial.mesh.hex_count();
-    trial.suspects = suspects_of(trial);
+    for (int s :
+         sheets_near(trial.mesh, trial.sheets, proved_scaled_jacobians(trial.mesh.points, trial.mesh.hexes), trial.smoothing.min_sj + 1e-6))
+      trial.suspects.push_back(trial.sheets.names[s]);
     return trial;
   };
   return try_sheets(mesh_without, rules, run.context);

@@ -56,7 +56,7 @@ SheetTrial try_sheets(const std::function<SheetTrial(const SheetNames& without)>
     left_out = std::move(without);
     best = std::move(next);
     const bool inverted = best.smoothing.inverted > 0;
-    suspects = inverted || !best.worth.faithful || best.smoothing.min_sj < kGoodEnough ? best.suspects : SheetNames{};
+    suspects = inverted || best.smoothing.min_sj < kGoodEnough ? best.suspects : SheetNames{};
     together = suspects.size() > 1 ? suspects : SheetNames{};
     if (inverted && rules.once) break;
     if (best.worth.edges_lost && rules.another_way) break;

@@ -16,7 +16,7 @@ struct SheetTrial {
   SheetReport sheets;
   SmoothReport smoothing;
   Worth worth;          ///< nothing is known of a mesh with inverted elements
-  SheetNames suspects;  ///< those at its worst elements and at faces that it does not cover, in the order of insertion
+  SheetNames suspects;  ///< those at its worst elements, in the order of insertion
 };
 
 struct SheetRules {
@@ -30,7 +30,7 @@ struct SheetRules {
 bool is_better(const SheetTrial& a, const SheetTrial& b);
 
 /// The best choice of sheets: all of them at first (`mesh_without` of no names); as long as the worst element lies at sheets, again without
-/// one of these, the last inserted first, then without all of them, and the better mesh is kept; so with those at faces that are not covered.
+/// one of these, the last inserted first, then without all of them, and the better mesh is kept.
 /// What is far from every sheet is not their doing: then nothing is tried, but a mesh with a bad element (Worth::sound) is made once
 /// without any sheet. Where elements stay inverted, once without all the sheets there: such a mesh is seldom saved, and
 /// each trial of it is dear. Ends early when time or memory for more trials is used up and there is a mesh. Lets through what
