@@ -658,6 +658,10 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>Flächen auf einer Achse liegen reihum jede über der vorigen (%1 Flächen)</translation>
     </message>
     <message>
+      <source>failed</source>
+      <translation>fehlgeschlagen</translation>
+    </message>
+    <message>
       <source>feature lines</source>
       <translation>Merkmalslinien</translation>
     </message>
@@ -758,6 +762,10 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>Speichergrenze erreicht</translation>
     </message>
     <message>
+      <source>meshed</source>
+      <translation>vernetzt</translation>
+    </message>
+    <message>
       <source>meshing method; auto tries them in order</source>
       <translation>Verfahren; auto versucht sie der Reihe nach</translation>
     </message>
@@ -820,6 +828,10 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
     <message>
       <source>raise the element size</source>
       <translation>die Elementgröße erhöhen</translation>
+    </message>
+    <message>
+      <source>raise the time limit</source>
+      <translation>die Zeitgrenze erhöhen</translation>
     </message>
     <message>
       <source>raise the time limit or the element size</source>
@@ -1042,6 +1054,14 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>es gibt keine Option '%1'</translation>
     </message>
     <message>
+      <source>there is no solid in it</source>
+      <translation>darin ist kein Körper</translation>
+    </message>
+    <message>
+      <source>there is no such file</source>
+      <translation>diese Datei gibt es nicht</translation>
+    </message>
+    <message>
       <source>time limit reached</source>
       <translation>Zeitgrenze erreicht</translation>
     </message>
@@ -1080,6 +1100,10 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
     <message>
       <source>unit cubes</source>
       <translation>Einheitswürfel</translation>
+    </message>
+    <message>
+      <source>unreadable</source>
+      <translation>nicht lesbar</translation>
     </message>
     <message>
       <source>use .step, .iges or .brep</source>

@@ -177,6 +177,11 @@ class TestZGerman(GuiTest):
             self.assertEqual(messages.in_words("cannot write '/a/b c.inp': Permission denied"),
                              "'/a/b c.inp' lässt sich nicht schreiben: Permission denied")
             self.assertEqual(messages.in_words("what nobody knows: 12"), "what nobody knows: 12")
+            self.assertEqual(messages.batch_words("result", "failed"), "fehlgeschlagen")
+            self.assertEqual(messages.batch_words("why", "smooth: 3 elements stay inverted or folded"),
+                             "Glätten: 3 Elemente bleiben umgestülpt oder gefaltet")
+            self.assertEqual(messages.batch_words("why", "there is no such file"), "diese Datei gibt es nicht")
+            self.assertEqual(messages.batch_words("min_sj", 0.5), 0.5)
         finally:
             FreeCADGui.setLocale("English")
 

@@ -218,9 +218,9 @@ class BatchDialog(QtGui.QDialog):
         at = self.table.rowCount()
         self.table.insertRow(at)
         for column, name in enumerate(SHOWN):
-            text = os.path.basename(row[name]) if name == "file" else str(row[name])
-            cell = QtGui.QTableWidgetItem(text)
-            cell.setToolTip(str(row[name]))
+            words = str(messages.batch_words(name, row[name]))  # the summary's own stay as they are: programs read them
+            cell = QtGui.QTableWidgetItem(os.path.basename(words) if name == "file" else words)
+            cell.setToolTip(words)
             if name == "result" and row[name] != "meshed":
                 cell.setForeground(QtGui.QBrush(QtGui.QColor(200, 60, 40)))
             self.table.setItem(at, column, cell)

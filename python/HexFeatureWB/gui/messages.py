@@ -100,6 +100,18 @@ def _piece_in_words(piece):
     return piece
 
 
+def batch_words(column, value):
+    """A cell of a batch's summary in the user's language."""
+    if column == "result":
+        return {"meshed": tr("meshed"), "failed": tr("failed"), "unreadable": tr("unreadable")}.get(value, value)
+    if column != "why":
+        return value
+    step, colon, reason = value.partition(": ")
+    if colon and step in step_titles():
+        return "%s: %s" % (step_title(step), in_words(reason))
+    return {"there is no such file": tr("there is no such file"), "there is no solid in it": tr("there is no solid in it")}.get(value, value)
+
+
 def faces_to_blame(error, names):
     """FreeCAD names of the CAD faces that an error names, the first twenty."""
     found = [names["faces"](number) for number in getattr(error, "cad_faces", [])]
