@@ -36,10 +36,10 @@ Vec3 CadModel::to_frame(const Vec3& p) const { return impl_->rotation * (p - imp
 
 void CadModel::place(const Mat3& rotation, const Vec3& centre) {
   // The B-rep stays where the file has it: points go through the frame on their way in and out of each query.
-  const Mat3 turn = rotation * impl_->rotation.transpose();
-  for (CadFace& f : faces) {
-    f.origin = rotation * (to_world(f.origin) - centre);
-    f.axis = turn * f.axis;
+  if (impl_->faces.empty()) impl_->faces = faces;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    faces[i].origin = rotation * (impl_->faces[i].origin - centre);
+    faces[i].axis = rotation * impl_->faces[i].axis;
   }
   for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i].point = rotation * (impl_->cad.vertices[i] - centre);
   impl_->rotation = rotation;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <mutex>
 #include <sstream>
 
 #include "pipeline/faithfulness.h"
@@ -95,8 +97,35 @@ void mesh_part(Part& part, Run& run) {
   result.certified = true;
 }
 
-template <class Read>
-Result mesh_read_part(const Options& options, Context& context, const Read& read, const FirstLook& first_look = {}) {
+/// The part that was read from B-rep text last: a window asks for it again at another size, and reading takes longer than labels. A run
+/// takes it away and brings it back, so that it never serves two.
+class LastPart {
+ public:
+  std::unique_ptr<Part> take(const std::string& brep) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return part_ && brep == brep_ ? std::move(part_) : nullptr;
+  }
+  void keep(const std::string& brep, std::unique_ptr<Part> part) {
+    part->place_in_world();
+    const std::lock_guard<std::mutex> lock(mutex_);
+    brep_ = brep;
+    part_ = std::move(part);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::string brep_;
+  std::unique_ptr<Part> part_;
+};
+
+LastPart& last_part() {
+  static LastPart& last = *new LastPart;  // never destroyed: OpenCASCADE's own statics may be gone by then
+  return last;
+}
+
+/// Meshes the part that `read` makes and hands it to `done` unless an error ends the run.
+template <class Read, class Done>
+Result mesh_read_part(const Options& options, Context& context, const Read& read, const FirstLook& first_look, const Done& done) {
   Result result;
   result.options = options;
   if (options.time_limit > 0)
@@ -104,14 +133,15 @@ Result mesh_read_part(const Options& options, Context& context, const Read& read
         Context::Clock::now() + std::chrono::duration_cast<Context::Clock::duration>(std::chrono::duration<double>(options.time_limit));
   Run run(result.options, context, result);
   run.first_look = first_look;
+  run.begin("read");
+  std::unique_ptr<Part> part = read();
+  result.options.size = choose_size(options, *part);
   try {
-    run.begin("read");
-    const std::unique_ptr<Part> part = read();
-    result.options.size = choose_size(options, *part);
     mesh_part(*part, run);
   } catch (const Stopped& stopped) {
     result.stopped_after = stopped.step;
   }
+  done(std::move(part));
   run.finish();
   return result;
 }
@@ -119,12 +149,16 @@ Result mesh_read_part(const Options& options, Context& context, const Read& read
 }  // namespace
 
 Result mesh_file(const std::string& path, const Options& options, Context& context) {
-  return mesh_read_part(options, context, [&] { return read_part(path, options, context); });
+  return mesh_read_part(
+      options, context, [&] { return read_part(path, options, context); }, {}, [](std::unique_ptr<Part>) {});
 }
 
 Result mesh_brep_string(const std::string& brep, const Options& options, Context& context, const FirstLook& first_look) {
-  return mesh_read_part(
-      options, context, [&] { return part_of_brep_string(brep, context); }, first_look);
+  const auto read = [&] {
+    std::unique_ptr<Part> part = last_part().take(brep);
+    return part ? std::move(part) : part_of_brep_string(brep, context);
+  };
+  return mesh_read_part(options, context, read, first_look, [&](std::unique_ptr<Part> part) { last_part().keep(brep, std::move(part)); });
 }
 
 }  // namespace hexfeature

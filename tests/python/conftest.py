@@ -28,6 +28,7 @@ turned = plate.copy()
 turned.Placement = FreeCAD.Placement(V(30, -70, 5), FreeCAD.Rotation(V(0.3, -0.7, 0.5), 137))
 turned.exportStep(folder + "turned_plate.step")
 turned.exportStl(folder + "turned_plate.stl")
+turned.exportBrep(folder + "turned_plate.brep")
 Part.makeShell(box.Faces[:5]).exportStep(folder + "open_shell.step")
 Part.makeCompound([box, Part.makeBox(5, 5, 5, V(60, 0, 0))]).exportStep(folder + "two_solids.step")
 

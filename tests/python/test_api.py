@@ -1,6 +1,7 @@
 # HexFeatureWB - LGPL-2.1-or-later
 """The Python interface: arrays, callbacks, cancel, threads."""
 import subprocess
+import sys
 import threading
 import time
 from pathlib import Path
@@ -45,6 +46,25 @@ def test_brep_text_gives_the_same_mesh(parts, box_mesh):
     with pytest.raises(hexfeature.MeshingError) as caught:
         hexfeature.mesh_brep("garbage", size=5)
     assert caught.value.kind == "bad_input"
+
+
+def test_a_part_that_is_kept_for_the_next_run_gives_the_same_mesh_as_one_just_read(parts, tmp_path):
+    brep = (parts / "turned_plate.brep").read_text()
+
+    def bytes_of(mesh):
+        return mesh.points.tobytes(), mesh.hexes.tobytes()
+
+    first = bytes_of(hexfeature.mesh_brep(brep, size=5))
+    hexfeature.mesh_brep((parts / "box.brep").read_text(), size=5)
+    fresh = bytes_of(hexfeature.mesh_brep(brep, size=5))  # another part was read between
+    hexfeature.mesh_brep(brep, size=4, stop_after="labels")
+    with pytest.raises(hexfeature.MeshingError):
+        hexfeature.mesh_brep(brep, size=1000)
+    assert first == fresh == bytes_of(hexfeature.mesh_brep(brep, size=5)) == bytes_of(hexfeature.mesh_brep(brep, size=5))
+    # A part that is kept must not bother the interpreter's end.
+    code = "import sys; sys.path.insert(0, sys.argv[2]); import hexfeature; hexfeature.mesh_brep(open(sys.argv[1]).read(), size=5)"
+    package = str(Path(hexfeature.__file__).parents[1])
+    assert subprocess.run([sys.executable, "-c", code, str(parts / "turned_plate.brep"), package]).returncode == 0
 
 
 @pytest.mark.parametrize("ending", ["iges", "stl", "brep"])
