@@ -109,7 +109,8 @@ def batch_words(column, value):
     step, colon, reason = value.partition(": ")
     if colon and step in step_titles():
         return "%s: %s" % (step_title(step), in_words(reason))
-    return {"there is no such file": tr("there is no such file"), "there is no solid in it": tr("there is no solid in it")}.get(value, value)
+    of_files = {"there is no such file": tr("there is no such file"), "there is no solid in it": tr("there is no solid in it")}
+    return of_files.get(value, value)
 
 
 def faces_to_blame(error, names):
