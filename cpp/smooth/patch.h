@@ -91,5 +91,7 @@ void slide(Patch& patch);
 void lift_worst(HexComplex& mesh, SmoothSetting& setting);
 /// (5): what (4) could not lift for some other place's sake: one bad place after the other, each with its neighbourhood alone.
 void lift_places(HexComplex& mesh, SmoothSetting& setting);
+/// (6): the last bad elements, point by point, by their scaled Jacobian itself.
+void polish_worst(HexComplex& mesh, SmoothSetting& setting);
 
 }  // namespace hexfeature

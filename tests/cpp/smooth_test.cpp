@@ -334,3 +334,45 @@ TEST_CASE("cancelling ends it") {
   stopping.is_cancelled = [&] { return ++asked > 20; };
   CHECK_THROWS_AS(smooth(c, SphereProjector(5), sized(1), stopping), MeshingError);
 }
+
+TEST_CASE("the last bad elements are polished point by point, within bounds") {
+  HexComplex c = box_mesh({2, 2, 2}, Vec3(2, 2, 2));
+  const BoxProjector box(Vec3(2, 2, 2));
+  const auto centre = std::find_if(c.points.begin(), c.points.end(), [](const Vec3& p) { return (p - Vec3(1, 1, 1)).norm() < 1e-9; });
+  REQUIRE(centre != c.points.end());
+  *centre += Vec3(0.31, 0.3, 0.3);
+  const std::vector<Vec3> before = c.points;
+  const auto worst = [&] {
+    const std::vector<double> q = proved_scaled_jacobians(c.points, c.hexes);
+    return *std::min_element(q.begin(), q.end());
+  };
+  const double bad = worst();
+  REQUIRE(bad > 0);
+  REQUIRE(bad < 0.25);
+  SmoothOptions options = sized(1);
+  Workers workers(1, context);
+  const int middle = static_cast<int>(centre - c.points.begin());
+  SmoothSetting setting{box, options, context, workers, {}, {}, std::vector<char>(c.points.size(), 0)};
+  setting.held.assign(c.points.size(), 1);
+  polish_worst(c, setting);
+  CHECK(c.points == before);
+  setting.held.assign(c.points.size(), 0);
+  // The middle could only go back along this line, which is as long as it may be the other way round.
+  const int corner = static_cast<int>(std::find(before.begin(), before.end(), Vec3(2, 2, 2)) - before.begin());
+  HexComplex tied = c;
+  setting.spans.push_back({middle, corner, 0.5 * (before[middle] - Vec3(2, 2, 2)).norm(), 0});
+  polish_worst(tied, setting);
+  CHECK((tied.points[middle] - Vec3(2, 2, 2)).norm() <= (before[middle] - Vec3(2, 2, 2)).norm() + 1e-12);
+  setting.spans.clear();
+  polish_worst(c, setting);
+  CHECK(worst() > bad + 0.02);
+  for (int v = 0; v < c.point_count(); ++v) {
+    CHECK((c.points[v] - before[v]).norm() <= 0.25 + 1e-12);
+    if (c.place[v].dim == 2) CHECK((box.project_to_face(c.place[v].entity, c.points[v], nullptr).point - c.points[v]).norm() < 1e-12);
+  }
+  const HexComplex once = c;
+  for (int v = 0; v < c.point_count(); ++v) c.points[v] = before[v];
+  c.place = once.place;
+  polish_worst(c, setting);
+  CHECK(c.points == once.points);
+}

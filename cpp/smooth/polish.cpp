@@ -1,0 +1,180 @@
+// HexFeatureWB - LGPL-2.1-or-later
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "mesh/hex_element.h"
+#include "smooth/patch.h"
+
+namespace hexfeature {
+namespace {
+
+constexpr double kLimit = 0.3;       ///< scaled Jacobian below which an element is polished, and up to which
+constexpr double kLeastGain = 1e-4;  ///< of one move
+constexpr double kLeastEdge = 0.06;  ///< of h: no mesh edge at a moved point gets shorter, unless it was
+constexpr double kFar = 0.25;        ///< of h: no point ends farther from where it was
+constexpr double kStretch = 1.15;    ///< lengths that the mesh edges along CAD curves should keep are exceeded by so much
+constexpr int kRounds = 20;
+constexpr int kMost = 400;  ///< elements of a round
+
+/// Moves one point after the other to where the worst element round it is best: a pattern search, for the least of several scaled
+/// Jacobians is not smooth, and no power mean of a shape energy has its maximum in the same place.
+class Polish {
+ public:
+  Polish(HexComplex& mesh, SmoothSetting& setting, std::vector<double>& quality) : mesh_(mesh), setting_(setting), quality_(quality) {
+    begin_.assign(mesh.points.size() + 1, 0);
+    for (const auto& hex : mesh.hexes)
+      for (int v : hex) ++begin_[v + 1];
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    hexes_.resize(begin_.back());
+    std::vector<int> fill(begin_.begin(), begin_.end() - 1);
+    for (int h = 0; h < mesh.hex_count(); ++h)
+      for (int v : mesh.hexes[h]) hexes_[fill[v]++] = h;
+    start_ = mesh.points;
+    spans_.resize(mesh.points.size());
+    for (const Span& span : setting.spans) {
+      spans_[span.a].push_back(&span);
+      spans_[span.b].push_back(&span);
+    }
+  }
+
+  void run() {
+    for (int round = 0; round < kRounds; ++round) {
+      setting_.context.check();
+      std::vector<int> bad;
+      for (int h = 0; h < mesh_.hex_count(); ++h)
+        if (quality_[h] < kLimit) bad.push_back(h);
+      std::sort(bad.begin(), bad.end(), [&](int a, int b) { return quality_[a] != quality_[b] ? quality_[a] < quality_[b] : a < b; });
+      if (bad.size() > kMost) bad.resize(kMost);
+      bool moved = false;
+      for (int h : bad) {
+        setting_.context.check();
+        for (int v : mesh_.hexes[h]) moved |= improve(v);
+      }
+      if (!moved) return;
+    }
+  }
+
+ private:
+  double worst_round(int v) const {
+    double worst = 1;
+    for (int i = begin_[v]; i < begin_[v + 1]; ++i) worst = std::min(worst, quality_[hexes_[i]]);
+    return worst;
+  }
+
+  /// Least quality round v with the point where it is now; stops counting at `enough` or below.
+  double measured_round(int v, double enough) const {
+    double worst = 1;
+    for (int i = begin_[v]; i < begin_[v + 1] && worst > enough; ++i) {
+      std::array<Vec3, 8> corners;
+      for (int k = 0; k < 8; ++k) corners[k] = mesh_.points[mesh_.hexes[hexes_[i]][k]];
+      worst = std::min(worst, proved_scaled_jacobian(corners));
+    }
+    return worst;
+  }
+
+  double shortest_edge(int v) const {
+    double shortest = 1e300;
+    for (int i = begin_[v]; i < begin_[v + 1]; ++i) {
+      const auto& hex = mesh_.hexes[hexes_[i]];
+      const auto corner = std::find(hex.begin(), hex.end(), v) - hex.begin();
+      for (int k = 1; k < 4; ++k) shortest = std::min(shortest, (mesh_.points[hex[kHexCorners[corner][k]]] - mesh_.points[v]).norm());
+    }
+    return shortest;
+  }
+
+  /// Where the point may go: the axes of its freedom.
+  std::vector<Vec3> axes(int v) const {
+    const CadPlace& place = mesh_.place[v];
+    const Vec3& p = mesh_.points[v];
+    if (place.dim == 0) return {};
+    if (place.dim == 1) return {setting_.projector.project_to_edge(place.entity, p, &place.uv[0]).tangent};
+    if (place.dim != 2) return {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+    const Vec3 normal = setting_.projector.project_to_face(place.entity, p, &place.uv).normal;
+    int k;
+    normal.cwiseAbs().minCoeff(&k);
+    const Vec3 a = normal.cross(Vec3::Unit(k)).normalized();
+    return {a, normal.cross(a)};
+  }
+
+  Vec3 on_part(int v, const Vec3& p, Vec2& uv) const {
+    const CadPlace& place = mesh_.place[v];
+    if (place.dim == 1) {
+      const CurvePoint c = setting_.projector.project_to_edge(place.entity, p, &place.uv[0]);
+      uv[0] = c.t;
+      return c.point;
+    }
+    if (place.dim == 2) {
+      const FacePoint f = setting_.projector.project_to_face(place.entity, p, &place.uv);
+      uv = f.uv;
+      return f.point;
+    }
+    return p;
+  }
+
+  /// How far the mesh edges along CAD curves at v exceed the lengths that they should keep.
+  double excess(int v) const {
+    double most = 0;
+    for (const Span* span : spans_[v])
+      most = std::max(most, (mesh_.points[span->a] - mesh_.points[span->b]).norm() - kStretch * span->longest);
+    return most;
+  }
+
+  bool improve(int v) {
+    if (setting_.held[v] != 0) return false;
+    double best = worst_round(v);
+    if (best >= kLimit) return false;
+    const std::vector<Vec3> free = axes(v);
+    const double h = setting_.options.size;
+    bool moved = false;
+    for (double step = 0.1 * h; step > 0.001 * h && best < kLimit;) {
+      bool better = false;
+      for (const Vec3& axis : free)
+        for (double sign : {1.0, -1.0}) {
+          const Vec3 old = mesh_.points[v];
+          Vec2 uv = mesh_.place[v].uv;
+          const Vec3 p = on_part(v, old + sign * step * axis, uv);
+          // Not at the end of a curve or beyond the rim of a face: the way is short there.
+          if (!p.allFinite() || (p - old).norm() < 0.5 * step || (p - start_[v]).norm() > kFar * h) continue;
+          const double least_edge = std::min(kLeastEdge * h, shortest_edge(v)), most_excess = excess(v);
+          mesh_.points[v] = p;
+          const bool allowed = shortest_edge(v) >= least_edge && excess(v) <= most_excess;
+          const double now = allowed ? measured_round(v, best + kLeastGain) : -1;
+          if (now <= best + kLeastGain) {
+            mesh_.points[v] = old;
+            continue;
+          }
+          mesh_.place[v].uv = uv;
+          best = now;
+          better = true;
+        }
+      if (!better) step *= 0.5;
+      moved |= better;
+    }
+    if (moved)
+      for (int i = begin_[v]; i < begin_[v + 1]; ++i) {
+        std::array<Vec3, 8> corners;
+        for (int k = 0; k < 8; ++k) corners[k] = mesh_.points[mesh_.hexes[hexes_[i]][k]];
+        quality_[hexes_[i]] = proved_scaled_jacobian(corners);
+      }
+    return moved;
+  }
+
+  HexComplex& mesh_;
+  SmoothSetting& setting_;
+  std::vector<double>& quality_;
+  std::vector<int> begin_, hexes_;  ///< the elements round each point
+  std::vector<Vec3> start_;
+  std::vector<std::vector<const Span*>> spans_;  ///< at each point
+};
+
+}  // namespace
+
+void polish_worst(HexComplex& mesh, SmoothSetting& setting) {
+  std::vector<double> quality;
+  measure(mesh, setting.workers, quality);
+  const double worst = quality.empty() ? 1 : *std::min_element(quality.begin(), quality.end());
+  if (worst > 0 && worst < kLimit) Polish(mesh, setting, quality).run();
+}
+
+}  // namespace hexfeature
