@@ -40,6 +40,37 @@ def test_nothing_is_taken_out_of_a_held_body(tmp_path):
     assert supports.significant(path, moved) == pytest.approx(moved)
 
 
+def transformed_deck(path, kind, axes, held):
+    """One cube whose nodes are all held along the local axes `held`; axes: the card's six numbers."""
+    lines = ["*Node, NSET=Nall"] + ["%d, %r, %r, %r" % (n, *p) for n, p in enumerate(CUBE.tolist(), 1)]
+    lines += ["*ELEMENT, TYPE=C3D8, ELSET=Evolumes", "1,1,2,3,4,5,6,7,8", "*NSET,NSET=Held"] + ["%d," % n for n in range(1, 9)]
+    lines += ["*TRANSFORM, NSET=HELD" + kind, ",".join("%g" % v for v in axes), "*STEP", "*STATIC", "*BOUNDARY"]
+    path.write_text("\n".join(lines + ["Held,%d" % axis for axis in held]) + "\n*END STEP\n")
+    return path
+
+
+@pytest.mark.parametrize("kind", ["", ", TYPE=R"], ids=["by default", "R"])
+def test_supports_along_rectangular_local_axes_leave_the_third_axis_free(tmp_path, kind):
+    along = np.array([3, 4, 0]) / 5  # the local z axis: across x' = (0, 0, 2) and (1.6, -1.2, 1), a vector in the x'y' plane
+    path = transformed_deck(tmp_path / "r.inp", kind, (0.0, 0.0, 2.0, 1.6, -1.2, 1.0), (1, 2))
+    stretch = STRETCH - STRETCH.mean(axis=0)
+    assert supports.significant(path, stretch + 7 * along) == pytest.approx(stretch, abs=1e-12)
+    across = np.tile(np.array([4, -3, 0]) / 5, (8, 1))  # held: a displacement there is no rigid motion of the solution
+    assert supports.significant(path, across) == pytest.approx(across)
+
+
+def test_supports_along_cylindrical_local_axes_leave_the_turn_about_the_axis_free(tmp_path):
+    a, b = np.array([2.0, 0, 0.5]), np.array([2.0, 3, 0.5])  # along y, beside the cube
+    path = transformed_deck(tmp_path / "c.inp", ", TYPE=C", (*a, *b), (1, 3))
+    turn, aside = np.cross([0, 1e-3, 0], CUBE - a), np.tile([1e-3, 0, 0], (8, 1))
+    stretch = np.column_stack([np.zeros(8), 1e-3 * CUBE[:, 1], np.zeros(8)])
+    assert supports.significant(path, stretch + 1e3 * turn) == pytest.approx(stretch, abs=1e-12)
+    assert supports.significant(path, aside) == pytest.approx(aside)  # held
+    path = transformed_deck(tmp_path / "c2.inp", ", TYPE=C", (*a, *b), (1, 2))
+    assert supports.significant(path, stretch + [0, 5, 0]) == pytest.approx(stretch - stretch.mean(axis=0), abs=1e-12)
+    assert supports.significant(path, stretch + turn) == pytest.approx(stretch - stretch.mean(axis=0) + turn, abs=1e-12)
+
+
 def test_a_block_by_formula_has_its_nodes_and_faces():
     counts = (2, 3, 4)
     points, cells, sides = mapped.sector(mapped.ring(10, 20, 5), counts)
