@@ -16,7 +16,7 @@ def significant(path, displacements):
         used = np.flatnonzero(body & np.isfinite(result).all(axis=1))
         scale = np.ptp(points[used], axis=0).max()
         modes = np.array(rows).reshape(-1, 6) * [1, 1, 1, 1 / scale, 1 / scale, 1 / scale]
-        _, sizes, right = np.linalg.svd(modes, full_matrices=True)
+        _, sizes, right = np.linalg.svd(np.linalg.qr(modes, mode="r"), full_matrices=True)  # of 6 rows, however many are held
         free = right[int((sizes > 1e-9 * max(sizes, default=0)).sum()):]
         if len(free) == 6:
             result[used] = np.nan
