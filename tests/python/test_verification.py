@@ -8,6 +8,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks" / "verification"))
 
+import gates  # noqa: E402
 import mapped  # noqa: E402
 import supports  # noqa: E402
 from deck import NODES, Deck  # noqa: E402
@@ -141,3 +142,35 @@ def test_weight_and_centrifugal_force_are_those_of_the_body(tmp_path):
     assert found.external.sum(axis=0) == pytest.approx([mass * 100 * 10, 0, 0], abs=1e-12)
     assert moment(found, [1, 1, 1]) == pytest.approx([0, 0, 0], abs=1e-12)
     assert found.external[:, 0].min() < 0 < found.external[:, 1].max()  # the corners' shares of a body force are negative
+
+
+def rows_of(problem, order, over, quantities=("first", "field", "stress"), finest=1e-3, bad=None):
+    """Results at four sizes: C3D20R's errors fall with this order to `finest`, and are `over` times the tetrahedra's."""
+    rows = []
+    for nodes in (1000, 3000, 8000, 20000):
+        error = finest * (nodes / 20000) ** (-order / 3)
+        for element, factor in (("C3D20R", 1), ("C3D10", 1 / over)):
+            errors = {what: error * factor if (what, element) != bad else float("nan") for what in quantities}
+            rows.append({"problem": problem, "element": element, "nodes": nodes, "errors": errors})
+    return rows
+
+
+def not_met(*arguments, **options):
+    return [said.split(":")[0] for said, met in gates.judge(arguments[0], rows_of(*arguments, **options)) if not met]
+
+
+def test_a_figure_that_is_not_met_is_told():
+    assert not_met("lame", 2.9, 0.9) == []
+    assert not_met("lame", 2.9, 0.9, finest=0.02) == ["error 2.00e-02 at the finest size, 5.00e-03 at most"]
+    assert not_met("lame", 2.2, 0.9) == ["field"]
+    assert not_met("lame", 1.5, 0.9) == ["field", "stress"]
+    assert not_met("lame", 2.9, 1.01) == ["first", "field", "stress"]
+    assert "field" in not_met("lame", 2.9, 0.9, bad=("field", "C3D20R"))
+
+
+@pytest.mark.parametrize("problem, quantity", gates.EXPLAINED)
+def test_what_the_page_explains_may_not_get_worse(problem, quantity):
+    ratio = gates.EXPLAINED[problem, quantity]
+    names = (quantity, "field", "stress", "deflection") if quantity not in ("field", "stress") else ("other", "field", "stress")
+    assert quantity not in not_met(problem, 3.0, ratio, names)
+    assert quantity in not_met(problem, 3.0, 1.25 * ratio, names)
