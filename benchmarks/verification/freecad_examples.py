@@ -54,11 +54,11 @@ EXAMPLES = {
     "thermomech_bimetall": None,
     "thermomech_spine": None,
 }
-#: About so many elements; several materials: FreeCAD then looks for each node in each solid, which takes 10 ms a node.
-ELEMENTS, FEW_ELEMENTS = 600, 150
+ELEMENTS = 600  #: about so many, where the part lets a mesh be so coarse
 #: Solids that share a curved face, whose meshes do not meet there: said on the page.
 NOT_MESHED = ("constraint_section_print",)
 LIMIT = 0.02
+SIZES, MANY = 8, 5  #: of mesh_brep
 
 
 def members(document, kind):
@@ -89,6 +89,20 @@ def solve(document, folder):
     return result
 
 
+def mesh_brep(shape, size):
+    """The core's mesh of 20-node hexahedra at the first size, each three quarters of the last, that takes about as many as it should.
+
+    A face much narrower than the size, in a plane with its neighbours, gets no elements of a feature-line mesh; the mesher then
+    takes the tet-split, whose elements are as small as the face: many times as many as asked for. A user makes the size smaller.
+    """
+    for finer in range(SIZES):
+        now = size * 0.75**finer
+        result = core.load().mesh_brep(shape.exportBrepToString(), {"order": 2, "size": now})
+        if len(result.hexes) <= MANY * shape.Volume / now**3:
+            return result
+    raise RuntimeError("at sizes %.3g to %.3g there are more than %g times as many elements as asked for" % (size, now, MANY))
+
+
 def our_mesh(shape, size):
     """A Fem.FemMesh of 20-node hexahedra. Solids that share faces are meshed one by one and joined node by node.
 
@@ -97,10 +111,10 @@ def our_mesh(shape, size):
     import Fem
 
     if len(shape.Solids) == 1 or len(shape.Faces) == sum(len(s.Faces) for s in shape.Solids):
-        return fem_mesh.to_fem_mesh(core.load().mesh_brep(shape.exportBrepToString(), {"order": 2, "size": size}))[0]
+        return fem_mesh.to_fem_mesh(mesh_brep(shape, size))[0]
     points, hexes, quads, on_face, offset = [], [], [], {}, 0
     for solid in shape.Solids:
-        result = core.load().mesh_brep(solid.exportBrepToString(), {"order": 2, "size": size})
+        result = mesh_brep(solid, size)
         outer = np.array(result.quads8) + offset
         for number, face in enumerate(solid.Faces, 1):
             key = next(n for n, f in enumerate(shape.Faces) if f.isSame(face))
@@ -142,6 +156,35 @@ def fine_tetrahedra(shape, nodes, folder):
     return mesh
 
 
+def group_materials(document):
+    """A group of volumes for each material in the document's mesh, by the solid that an element's middle is in.
+
+    FreeCAD's Gmsh task makes such groups where it is asked to, and the writer finds a material's elements by them. Without, it
+    looks for each node in each solid, which takes it longer than the solver needs.
+    """
+    from femtools.geomtools import get_element
+
+    materials, mesh = members(document, "App::MaterialObject"), members(document, "Fem::FemMeshObject")[0]
+    if len(materials) < 2:
+        return
+    fem = mesh.FemMesh.copy()
+    nodes, shape = fem.Nodes, (getattr(mesh, "Part", None) or mesh.Shape).Shape
+
+    def inside(solid, p):  # where but one solid's box holds the point, the slow question is not asked
+        return solid.BoundBox.isInside(p) and (sum(s.BoundBox.isInside(p) for s in shape.Solids) == 1 or solid.isInside(p, 1e-6, True))
+
+    left = {v: sum((nodes[n] for n in fem.getElementNodes(v)), FreeCAD.Vector()) / len(fem.getElementNodes(v)) for v in fem.Volumes}
+    for material in sorted(materials, key=lambda m: not m.References):  # one without references is that of the rest
+        solids = [get_element(part, name) for part, names in material.References for name in names]
+        found = [v for v, p in left.items() if not solids or any(inside(s, p) for s in solids)]
+        fem.addGroupElements(fem.addGroup(material.Name + "_Elements", "Volume"), found)
+        for v in found:
+            del left[v]
+    if left:
+        raise RuntimeError("%d elements are in no material's solid" % len(left))
+    mesh.FemMesh = fem
+
+
 def run(name, folder):
     """The example as it comes, with our mesh and with fine tetrahedra: a row."""
     document = importlib.import_module("femexamples." + name).setup(solvertype="ccxtools")
@@ -153,11 +196,11 @@ def run(name, folder):
         shape = (getattr(mesh, "Part", None) or mesh.Shape).Shape
         if mesh.FemMesh.VolumeCount:
             row["own"] = solve(document, os.path.join(folder, "own"))
-        several = len(members(document, "App::MaterialObject")) > 1 and len(shape.Solids) > 1
-        size = (shape.Volume / (FEW_ELEMENTS if several else ELEMENTS)) ** (1 / 3)
-        mesh.FemMesh = our_mesh(shape, size)
+        mesh.FemMesh = our_mesh(shape, (shape.Volume / ELEMENTS) ** (1 / 3))
+        group_materials(document)
         row["ours"] = solve(document, os.path.join(folder, "hexahedra"))
-        mesh.FemMesh = fine_tetrahedra(shape, (1 if several else 2) * row["ours"]["nodes"], folder)
+        mesh.FemMesh = fine_tetrahedra(shape, 2 * row["ours"]["nodes"], folder)
+        group_materials(document)
         row["fine"] = solve(document, os.path.join(folder, "fine"))
         return row
     finally:

@@ -5,8 +5,10 @@
 Each of the project's own parts in a FreeCAD document, meshed with 20-node hexahedra, fixed on its largest plane face, and
 loaded in turn by each kind of constraint; FreeCAD writes the deck and CalculiX solves it. The reaction's force and moment
 (about the origin, over force times the part's diagonal) must be the load's, which is known from the CAD alone; so must the heat
-that flows out at a held temperature. For contact and tie a pad lies on the part and is pressed. A mirrored and a moved copy of
-each part must bend as the part does. Leaves OUT_DIR/loads.json. Exit code 1 when a figure exceeds its limit.
+that flows out at a held temperature. The reactions to a prescribed displacement must do the work on a force's displacements that
+the force does on the prescribed one (Betti's theorem), which the CAD knows whatever the part's stiffness. For contact and tie a
+pad lies on the part and is pressed. A mirrored and a moved copy of each part must bend as the part does. Leaves
+OUT_DIR/loads.json. Exit code 1 when a figure exceeds its limit.
 """
 import json
 import math
@@ -39,6 +41,20 @@ LIMIT_OF_COPIES = 5e-3  #: of a copy's displacement: its mesh is another one of 
 COARSER = {"flange": 1.4, "pipe_tee": 1.6, "crank_shaft": 1.6, "shaft": 1.4, "plate_with_holes": 1.4}
 
 
+class Reaction:
+    """nodes: node - 1 -> the support's force on it; displacements (n, 3); force and moment about the origin of all; farthest: the
+    largest displacement."""
+
+    def __init__(self, nodes, points, displacements):
+        self.nodes, self.displacements = nodes, displacements
+        self.force = V(*sum(nodes.values()))
+        self.moment = V(*sum(np.cross(points[node], force) for node, force in nodes.items()))
+        self.farthest = float(np.nanmax(np.linalg.norm(displacements, axis=1)))
+
+    def work_on(self, displacements):
+        return sum(force @ displacements[node] for node, force in self.nodes.items())
+
+
 class Case:
     """One part, fixed on one face, with its mesh; solves for one constraint after another."""
 
@@ -67,7 +83,7 @@ class Case:
         return max(apart or [self.fixed], key=lambda n: self.faces[n].Area)
 
     def solve(self, tag, *constraints, heat=False):
-        """Reaction's force and moment about the origin over all fixed nodes, and the largest displacement; of heat: what flows out."""
+        """A Reaction; of heat: what flows out."""
         document = self.document
         study, solver = analysis.static_analysis(document, self.mesh, [(self.part, ("Face%d" % (self.fixed + 1),))],
                                                  [(self.part, ("Face%d" % (self.far_face() + 1),))], 1.0)
@@ -130,22 +146,17 @@ class Case:
     def _read(self, stem):
         """CalculiX's reaction at a held node lacks the load put on that very node, so this is added from the deck."""
         found = Deck(stem + ".inp", DENSITY)
-        force, moment = V(), V()
-        inside, seen = False, set()
+        inside, at_nodes = False, {}
         for line in Path(stem + ".dat").read_text().splitlines():
             if "force" in line:
                 inside = line.strip().startswith("forces")
             row = line.split()
-            if inside and len(row) == 4 and row[0].isdigit() and row[0] not in seen:
-                seen.add(row[0])
+            if inside and len(row) == 4 and row[0].isdigit():
                 node = int(row[0]) - 1
-                f = V(*map(float, row[1:])) - V(*found.external[node])
-                force += f
-                moment += V(*found.points[node]).cross(f)
-        if not seen:
+                at_nodes[node] = np.array(row[1:], dtype=float) - found.external[node]
+        if not at_nodes:
             raise RuntimeError("no reaction forces in " + stem + ".dat")
-        u = calculix.read_frd(stem + ".frd")["U"]
-        return force, moment, float(np.nanmax(np.linalg.norm(u, axis=1)))
+        return Reaction(at_nodes, found.points, calculix.read_frd(stem + ".frd")["U"])
 
     def close(self):
         FreeCAD.closeDocument(self.document.Name)
@@ -177,7 +188,6 @@ def constraints_of(case):
 
     document, part, shape = case.document, case.part, case.shape
     far = case.far_face()
-    normal = case.faces[far].normalAt(0, 0)
     loaded = [("force on a plane face", far)] + ([("force on a curved face", case.curved[0])] if case.curved else [])
     for name, face in loaded:
         c = ObjectsFem.makeConstraintForce(document, "Load")
@@ -227,13 +237,6 @@ def constraints_of(case):
         c.RotationAxis = [(axis, "Edge1")]
         arm = shape.CenterOfMass - at
         yield "centrifugal", [c], V(arm.x, arm.y, 0) * (DENSITY * shape.Volume * (2 * math.pi * TURNS) ** 2), None
-    c = ObjectsFem.makeConstraintDisplacement(document, "Held")
-    c.References = [(part, ("Face%d" % (far + 1),))]
-    for axis, value in zip("xyz", normal * 0.01):
-        setattr(c, axis + "Free", False)
-        setattr(c, axis + "Fix", False)
-        quantity(c, axis + "Displacement", value, "mm")
-    yield "prescribed displacement", [c], V(), V()
 
 
 OVERLAP = 1e-3  #: mm of a pad and its part: faces in one place are one to FreeCAD, which finds the nodes by place
@@ -302,8 +305,8 @@ def pressed_pads(case, size, folder):
                 setattr(guide, axis + "Free", abs(component) > 0.5)
                 setattr(guide, axis + "Fix", abs(component) <= 0.5)
             constraints.append(guide)
-        found, turned, _ = both.solve(kind, *constraints)
-        yield kind, force, found, moment, turned
+        found = both.solve(kind, *constraints)
+        yield kind, force, found.force, moment, found.moment
     both.close()
 
 
@@ -316,15 +319,16 @@ def check(name, out):
     rows, case = [], Case(shape, size_used, os.path.join(out, name))
     diagonal = shape.BoundBox.DiagonalLength
     for kind, constraints, force, moment in constraints_of(case):
-        found, turned, farthest = case.solve(re.sub(r"\W", "_", kind), *constraints)
+        found = case.solve(re.sub(r"\W", "_", kind), *constraints)
         size_of_load = max(force.Length, 10.0 * max(f.Area for f in case.faces) * 1e-2 if "pressure" in kind else 0.0)
-        if kind == "prescribed displacement":  # both ends are held: the reactions cancel; over one end's, known from the first
-            size_of_load = stiffness_force(case, farthest)
-        row = {"part": name, "kind": kind, "load": force.Length, "force_error": (found + force).Length / size_of_load,
-               "moment_error": None if moment is None else (turned + moment).Length / (size_of_load * diagonal), "displacement": farthest}
+        row = {"part": name, "kind": kind, "load": force.Length, "force_error": (found.force + force).Length / size_of_load,
+               "moment_error": None if moment is None else (found.moment + moment).Length / (size_of_load * diagonal),
+               "displacement": found.farthest}
         rows.append(row)
         print("%-18s %-36s %10.3f  force off by %.1e  moment %s" % (
             name, kind, force.Length, row["force_error"], "-" if moment is None else "%.1e" % row["moment_error"]), flush=True)
+    rows.append({"part": name, "kind": "prescribed displacement", **prescribed(case)})
+    print("%-18s %-36s            reaction's work off by %.1e" % (name, rows[-1]["kind"], rows[-1]["force_error"]), flush=True)
     for kind, constraints, heat in heat_of(case):
         found = case.solve(re.sub(r"\W", "_", kind), *constraints, heat=True)
         rows.append({"part": name, "kind": kind, "load": heat, "force_error": abs(abs(found) / heat - 1), "moment_error": None})
@@ -344,17 +348,41 @@ def check(name, out):
         copy = copy.Solids[0] if copy.ShapeType != "Solid" else copy
         case = Case(copy, size_used, os.path.join(out, name))
         constraints = next(loads[1] for loads in constraints_of(case) if loads[0] == COMPARED)
-        _, _, farthest = case.solve(kind, *constraints)
+        farthest = case.solve(kind, *constraints).farthest
         rows.append({"part": name, "kind": kind, "displacement_change": abs(farthest / first - 1)})
         print("%-18s %-36s displacement differs by %.1e" % (name, kind, rows[-1]["displacement_change"]), flush=True)
         case.close()
     return rows
 
 
-def stiffness_force(case, displacement):
-    """A scale for reactions that cancel: the force that stretches a bar of the part's volume and diagonal so far."""
-    length = case.shape.BoundBox.DiagonalLength
-    return 210000 * case.shape.Volume / length**2 * displacement
+def prescribed(case):
+    """The errors of a displacement prescribed on the far face.
+
+    By Betti's theorem its reactions' work on the displacements under a force on that face is the force's work on the prescribed
+    displacement, which the CAD knows. The reactions at both ends must also cancel. The part is held apart from that face: on a
+    common edge nodes would be under both constraints.
+    """
+    import ObjectsFem
+
+    document, far, fixed = case.document, case.far_face(), case.fixed
+    value = case.faces[far].normalAt(0, 0) * 0.01
+    held = ObjectsFem.makeConstraintDisplacement(document, "Held")
+    held.References = [(case.part, ("Face%d" % (far + 1),))]
+    for axis, component in zip("xyz", value):
+        setattr(held, axis + "Free", False)
+        setattr(held, axis + "Fix", False)
+        quantity(held, axis + "Displacement", component, "mm")
+    case.fixed = case.face_apart()
+    try:
+        kind, constraints, force, _ = next(constraints_of(case))
+        under_force = case.solve("reciprocal", *constraints)
+        found = case.solve("prescribed", held)
+    finally:
+        case.fixed = fixed
+    one_end = V(*sum(f for node, f in found.nodes.items() if np.linalg.norm(found.displacements[node]) > 0.5 * value.Length))
+    return {"load": force.Length, "force_error": max(abs(found.work_on(under_force.displacements) / force.dot(value) - 1),
+                                                     found.force.Length / one_end.Length),
+            "moment_error": found.moment.Length / (one_end.Length * case.shape.BoundBox.DiagonalLength)}
 
 
 def main(out, names):

@@ -5,9 +5,8 @@ import os
 import re
 from pathlib import Path
 
-import numpy as np
-
 import problems
+from gates import first_error, order, over_tetrahedra, series
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "verification.md"
@@ -16,38 +15,6 @@ PICTURE = ROOT / "docs" / "pictures" / "verification.png"
 
 #: What else is measured, in words.
 NAMES = {"field": "displacements, all nodes", "stress": "stresses, all integration points", "heat": "heat flow"}
-#: (problem, quantity) in which hexahedra are not better than tetrahedra, and why is said on the page.
-EXPLAINED = {("lame", "hoop stress"), ("disc", "hoop stress"), ("kirsch", "stress concentration"), ("le10", "stress at D"),
-             ("pressfit", "hoop stress"), ("pressfit", "field"), ("pressfit", "stress")}
-
-
-def series(rows, problem, element):
-    """Rows of one problem and element, coarse to fine."""
-    return [r for r in rows if r["problem"] == problem and r["element"] == element]
-
-
-def first_error(row):
-    return next(iter(row["errors"].values()))
-
-
-def order(rows, quantity):
-    """Slope of log error over log mean element size (the number of nodes to the power -1/3), all sizes."""
-    x = np.log([r["nodes"] ** (-1 / 3) for r in rows])
-    return float(np.polyfit(x, np.log([r["errors"][quantity] for r in rows]), 1)[0])
-
-
-def over_tetrahedra(rows, problem):
-    """{quantity: C3D20R's error over C3D10's at equal degrees of freedom}: geometric mean over the sizes, the tetrahedra's error
-    interpolated (log over log) to the hexahedra's number of nodes. Errors below 1e-6 are rounding, and left out."""
-    hexes, tets = series(rows, problem, "C3D20R"), series(rows, problem, "C3D10")
-    result = {}
-    for what in hexes[0]["errors"]:
-        if max(hexes[-1]["errors"][what], tets[-1]["errors"][what]) < 1e-6:
-            continue
-        nodes = [np.log([r["nodes"] for r in part]) for part in (hexes, tets)]
-        errors = [np.log([max(r["errors"][what], 1e-9) for r in part]) for part in (hexes, tets)]
-        result[what] = float(np.exp((errors[0] - np.interp(nodes[0], nodes[1], errors[1])).mean()))
-    return result
 
 
 def tables(rows):

@@ -6,17 +6,17 @@ import numpy as np
 def significant(path, displacements):
     """Displacements (n, 3) without the rigid motions that the deck's supports leave free; NaN on bodies that are not held.
 
-    A body is what elements, ties and contacts join. Nodes count by number - 1. In a deck with local systems (*TRANSFORM) a
-    support is taken to hold its nodes in every direction: nothing is taken out.
+    A body is what elements, ties and contacts join. Nodes count by number - 1. Supports in local systems (*TRANSFORM) hold their
+    nodes along the local axes.
     """
     points, elements, held, joined = _read(path)
     result = np.array(displacements, dtype=float)
     for body in _bodies(len(points), elements, joined):
-        rows = [_rigid(points[node])[dof] for node, dof in held if body[node]]
+        rows = [direction @ _rigid(points[node]) for node, direction in held if body[node]]
         used = np.flatnonzero(body & np.isfinite(result).all(axis=1))
         scale = np.ptp(points[used], axis=0).max()
         modes = np.array(rows).reshape(-1, 6) * [1, 1, 1, 1 / scale, 1 / scale, 1 / scale]
-        _, sizes, right = np.linalg.svd(modes, full_matrices=True)
+        _, sizes, right = np.linalg.svd(np.linalg.qr(modes, mode="r"), full_matrices=True)  # of 6 rows, however many are held
         free = right[int((sizes > 1e-9 * max(sizes, default=0)).sum()):]
         if len(free) == 6:
             result[used] = np.nan
@@ -51,35 +51,53 @@ def _bodies(count, elements, joined):
     return [members & (label == body) for body in np.unique(label[members])]
 
 
+def _axes(kind, a, b, p):
+    """The local axes of a *TRANSFORM at a point, as rows. R: a lies on the x' axis, b in the x'y' plane; C: a and b lie on the
+    axis, and the axes are the radial, the tangential and the axial one. Source: CalculiX CrunchiX manual, "*TRANSFORM"."""
+    if kind == "R":
+        first, third = a, np.cross(a, b)
+    else:
+        third = b - a
+        first = (p - a) - (p - a) @ third / (third @ third) * third
+        if np.linalg.norm(first) < 1e-10:  # on the axis no direction is the radial one: any
+            first = np.cross(third, np.eye(3)[np.abs(third).argmin()])
+    first, third = first / np.linalg.norm(first), third / np.linalg.norm(third)
+    return np.array([first, np.cross(third, first), third])
+
+
 def _read(path):
-    """points (n, 3), [node indices (m, k) per element type], [(node, axis)] held, whether bodies are tied or in contact."""
-    nodes, blocks, sets, held, joined, turned, keyword, pending, name = {}, {}, {}, [], False, False, "", [], ""
+    """points (n, 3), [node indices (m, k) per element type], [(node, direction)] held, whether bodies are tied or in contact."""
+    nodes, blocks, sets, held, transforms = {}, {}, {}, [], {}
+    joined, keyword, given, pending = False, "", {}, []
     for line in open(path):
-        line = line.strip()
+        line = line.strip().upper()  # CalculiX tells no capitals
         if not line or line.startswith("**"):
             continue
-        if line.startswith("*"):
-            keyword = line.upper().replace(" ", "")
-            joined |= keyword.startswith(("*TIE", "*CONTACTPAIR"))
-            turned |= keyword.startswith("*TRANSFORM")
-            name = line.split("NSET=")[1].split(",")[0].strip() if keyword.startswith("*NSET,") else ""
-            pending = []
-            continue
         row = [word.strip() for word in line.split(",") if word.strip()]
-        if keyword.startswith("*NODE,"):
+        if line.startswith("*"):
+            keyword, pending = row[0], []
+            given = {name.strip(): value.strip() for name, _, value in (word.partition("=") for word in row[1:])}
+            joined |= keyword in ("*TIE", "*CONTACT PAIR")
+        elif keyword == "*NODE":
             nodes[int(row[0])] = [float(word) for word in row[1:4]]
-        elif keyword.startswith("*ELEMENT,TYPE=C3D"):
-            length = 1 + int("".join(c for c in keyword.split("TYPE=C3D")[1].split(",")[0] if c.isdigit()))
+        elif keyword == "*ELEMENT" and given["TYPE"].startswith("C3D"):
             pending += [int(word) for word in row]
-            if len(pending) >= length:
-                blocks.setdefault(length, []).append(pending[1:])
+            if len(pending) > int("".join(c for c in given["TYPE"][3:] if c.isdigit())):
+                blocks.setdefault(len(pending), []).append(pending[1:])
                 pending = []
-        elif name:
-            sets.setdefault(name, []).extend(int(word) for word in row if word.isdigit())
-        elif keyword.startswith("*BOUNDARY"):
+        elif keyword == "*NSET":
+            members = sets.setdefault(given["NSET"], [])
+            for word in row:
+                members += [int(word)] if word.isdigit() else sets[word]
+        elif keyword == "*TRANSFORM":
+            a, b = np.array(row, dtype=float).reshape(2, 3)
+            transforms.update((node, (given.get("TYPE", "R"), a, b)) for node in sets[given["NSET"]])
+        elif keyword == "*BOUNDARY":
             first, last = int(row[1]), int(row[2]) if len(row) > 2 else int(row[1])
-            members = [int(row[0])] if row[0].isdigit() else sets.get(row[0], [])
-            held += [(node - 1, axis) for node in members for axis in range(3) if turned or first - 1 <= axis < last]
+            members = [int(row[0])] if row[0].isdigit() else sets[row[0]]
+            held += [(node, axis) for node in members for axis in range(first - 1, min(last, 3))]
     points = np.zeros((max(nodes), 3))
     points[np.array(list(nodes)) - 1] = list(nodes.values())
-    return points, [np.array(block) - 1 for block in blocks.values()], held, joined
+    directions = [(_axes(*transforms[node], points[node - 1]) if node in transforms else np.eye(3))[axis] for node, axis in held]
+    elements = [np.array(block) - 1 for block in blocks.values()]
+    return points, elements, [(node - 1, direction) for (node, _), direction in zip(held, directions)], joined

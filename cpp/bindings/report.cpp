@@ -86,7 +86,6 @@ py::dict report_of(const Result& r) {
 
   if (!r.hexes20.empty()) {
     py::dict second;
-    second["proved_positive"] = r.certified;
     second["least_jacobian"] = r.least_jacobian20;
     second["largest_mid_side_deviation"] = r.mid_side_deviation;
     second["straightened_nodes"] = r.straightened;

@@ -63,7 +63,7 @@ struct Result {
   std::vector<int> straightened;        ///< boundary mid-side nodes that had to leave the CAD for their element's sake
   std::vector<int> straightened_faces;  ///< CAD faces with such a node
   double least_jacobian20 = 0;          ///< least determinant at C3D20's and C3D20R's integration points and the nodes, over the mean
-  double mid_side_deviation = 0;        ///< largest distance of a mid-side node from its CAD entity
+  double mid_side_deviation = 0;        ///< largest distance of a boundary mid-side node from its CAD, the straightened ones' too
 
   QualityReport quality;
   SheetReport sheets;

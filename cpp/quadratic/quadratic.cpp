@@ -146,12 +146,11 @@ QuadraticMesh make_quadratic(const HexComplex& complex, const Projector& project
     double distance = find_foot(bows, e, projector, !let_off, bows.place[e]);
     const double tolerance = on_cad_tolerance(bows, e);
     if (!let_off && distance > tolerance) distance = find_foot(bows, e, projector, false, bows.place[e]);
+    result.deviation = std::max(result.deviation, distance);
     if (distance > tolerance) {
       off_cad[e] = 1;
       result.straightened.push_back(first_mid + e);
       bows.place[e] = CadPlace{};
-    } else {
-      result.deviation = std::max(result.deviation, distance);
     }
   }
   for (std::size_t q = 0; q < complex.quads.size(); ++q)

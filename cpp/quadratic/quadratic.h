@@ -22,7 +22,7 @@ struct QuadraticMesh {
   std::vector<int> straightened;        ///< boundary mid-side nodes that left the CAD because an element would turn bad
   std::vector<int> straightened_faces;  ///< CAD faces with such a node, sorted
   double least_jacobian = 0;            ///< over all elements: see hex20.h
-  double deviation = 0;                 ///< largest distance of a mid-side node from its CAD entity
+  double deviation = 0;                 ///< largest distance of a boundary mid-side node from its CAD, the straightened ones' too
 };
 
 /// Put mid-side nodes on the CAD, bent smoothly through the part (place_mid_sides), and prove the Jacobian determinant of

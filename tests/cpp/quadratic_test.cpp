@@ -279,9 +279,16 @@ TEST_CASE("where the CAD's curve would fold its element, the mid-side node leave
   HexComplex c = fixtures::box_mesh({2, 2, 1}, Vec3(2, 2, 0.1));
   find_feature_edges(c);
   Context context;
-  const QuadraticMesh m = make_quadratic(
-      c, Bulge(0.1, [](double x, double y) { return 0.5 * std::pow(std::sin(kPi * x) * std::sin(kPi * y / 2), 2); }), context);
+  const Bulge projector(0.1, [](double x, double y) { return 0.5 * std::pow(std::sin(kPi * x) * std::sin(kPi * y / 2), 2); });
+  const QuadraticMesh m = make_quadratic(c, projector, context);
   CHECK(!m.straightened.empty());
+  double farthest = 0;
+  for (int v : m.straightened) {
+    const Vec3& p = m.mid_points[v - c.point_count()];
+    farthest = std::max(farthest, (projector.project_to_face(6, p, nullptr).point - p).norm());
+  }
+  CHECK(farthest > 0.01);
+  CHECK(m.deviation == doctest::Approx(farthest));
   CHECK(m.straightened_faces == std::vector<int>{6});
   CHECK(m.least_jacobian > 0);
   for (int h = 0; h < c.hex_count(); ++h) CHECK(proves_positive(element(c, m, h)));
