@@ -17,6 +17,12 @@ struct MemoryLimit : std::bad_alloc {
   const char* what() const noexcept override { return "memory limit reached"; }
 };
 
+/// The context's deadline has passed; a cancel by the user is a plain MeshingError.
+struct TimeLimit : MeshingError {
+  explicit TimeLimit(const std::string& where)
+      : MeshingError(Failure::Cancelled, where, "time limit reached", "raise the time limit or the element size") {}
+};
+
 /// What a step may ask of the world outside: progress, log, cancel, time left.
 /// Passed by reference to every step; there are no globals.
 class Context {
@@ -41,8 +47,7 @@ class Context {
   /// Throws MeshingError(Cancelled), or MemoryLimit. Call it at least every 0.05 s of work; it costs a clock read.
   void check() const {
     if (is_cancelled && is_cancelled()) throw MeshingError(Failure::Cancelled, current_step_, "cancelled");
-    if (deadline != Clock::time_point::max() && Clock::now() > deadline)
-      throw MeshingError(Failure::Cancelled, current_step_, "time limit reached", "raise the time limit or the element size");
+    if (deadline != Clock::time_point::max() && Clock::now() > deadline) throw TimeLimit(current_step_);
     if (most_memory_ > 0) check_memory();
   }
   /// The same while a child process works for this one: its memory counts too.

@@ -23,11 +23,8 @@ class Deadline {
   Deadline(const Deadline&) = delete;
   Deadline& operator=(const Deadline&) = delete;
 
-  /// Whether the share's time is up while the run's is not, and nobody has cancelled.
-  bool passed() const {
-    const auto now = Context::Clock::now();
-    return now > context_.deadline && now < whole_ && !(context_.is_cancelled && context_.is_cancelled());
-  }
+  /// Whether the run has time left.
+  bool is_share() const { return context_.deadline < whole_ && Context::Clock::now() < whole_; }
 
  private:
   Context& context_;
@@ -44,20 +41,23 @@ MeshingError out_of_memory(const Context& context, const std::string& reason) {
 }  // namespace
 
 std::optional<MeshingError> run_with_share(Context& context, double share, const std::function<void()>& work) {
+  std::optional<MeshingError> used_up;
   const Deadline deadline(context, share);
   try {
     work();
-  } catch (const MeshingError& error) {
-    if (error.kind != Failure::Cancelled || !deadline.passed()) throw;
-    return MeshingError(Failure::Cancelled, error.step, "its share of the time limit is used up", "raise the time limit");
+    return std::nullopt;
+  } catch (const TimeLimit& error) {
+    if (!deadline.is_share()) throw;
+    used_up = MeshingError(Failure::Cancelled, error.step, "its share of the time limit is used up", "raise the time limit");
   } catch (const MemoryLimit& error) {
-    return out_of_memory(context, error.what());
+    used_up = out_of_memory(context, error.what());
   } catch (const std::bad_alloc&) {
-    return out_of_memory(context, "out of memory");
+    used_up = out_of_memory(context, "out of memory");
   } catch (const std::length_error&) {  // a container of more elements than there can be bytes
-    return out_of_memory(context, "out of memory");
+    used_up = out_of_memory(context, "out of memory");
   }
-  return std::nullopt;
+  context.log("cut off in step " + used_up->step + ": " + used_up->reason);
+  return used_up;
 }
 
 }  // namespace hexfeature

@@ -7,8 +7,9 @@
 
 #include <atomic>
 #include <new>
-#include <stdexcept>
+#include <optional>
 
+#include "base/share.h"
 #include "bindings/convert.h"
 #include "pipeline/pipeline.h"
 #include "write/write.h"
@@ -88,19 +89,12 @@ std::shared_ptr<Result> run(const Mesh& mesh, const py::dict& values, const py::
   PythonContext context(progress, log, cancelled);
   context.limit_memory(static_cast<std::size_t>(options.memory_limit * 1e6));
   auto result = std::make_shared<Result>();
-  const auto out_of_memory = [&](const std::string& reason) {
-    return MeshingError(Failure::NoMesh, context.current_step(), reason, "use a larger size, or allow more memory");
-  };
-  try {
+  std::optional<MeshingError> out_of_memory;
+  {
     py::gil_scoped_release release;
-    *result = mesh(options, context);
-  } catch (const MemoryLimit&) {
-    throw out_of_memory("memory limit reached");
-  } catch (const std::bad_alloc&) {
-    throw out_of_memory("out of memory");
-  } catch (const std::length_error&) {  // a container of more elements than there can be bytes
-    throw out_of_memory("out of memory");
+    out_of_memory = run_with_share(context, 1, [&] { *result = mesh(options, context); });
   }
+  if (out_of_memory) throw *out_of_memory;
   return result;
 }
 

@@ -36,10 +36,11 @@ Vec3 CadModel::to_frame(const Vec3& p) const { return impl_->rotation * (p - imp
 
 void CadModel::place(const Mat3& rotation, const Vec3& centre) {
   // The B-rep stays where the file has it: points go through the frame on their way in and out of each query.
-  if (impl_->faces.empty()) impl_->faces = faces;
+  // Always from the faces as read: turning turned ones would gather rounding, and a part that is used again must give the same mesh.
+  if (impl_->faces_as_read.empty()) impl_->faces_as_read = faces;
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    faces[i].origin = rotation * (impl_->faces[i].origin - centre);
-    faces[i].axis = rotation * impl_->faces[i].axis;
+    faces[i].origin = rotation * (impl_->faces_as_read[i].origin - centre);
+    faces[i].axis = rotation * impl_->faces_as_read[i].axis;
   }
   for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i].point = rotation * (impl_->cad.vertices[i] - centre);
   impl_->rotation = rotation;

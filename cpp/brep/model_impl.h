@@ -34,7 +34,7 @@ struct CadModel::Impl {
   std::vector<TrimRegion> trims;  ///< per face
   Mat3 rotation = Mat3::Identity();
   Vec3 centre = Vec3::Zero();
-  std::vector<CadFace> faces;  ///< as read; filled by the first CadModel::place
+  std::vector<CadFace> faces_as_read;  ///< filled by the first CadModel::place
   double volume = 0;
 
   Impl(CadTables tables, BaseMesh mesh) : cad(std::move(tables)), base(std::move(mesh)) {}

@@ -61,6 +61,7 @@ void merge_small_sites(const SurfaceMesh& mesh, const std::vector<double>& face_
       joined[s] = best;
       area[best] += area[s];
       outline[best] += outline[s] - 2 * most;
+      tangent[best] += tangent[s];
       for (const auto& [other, length] : border[s]) {
         border[other].erase(s);
         if (other == best) continue;

@@ -160,7 +160,7 @@ std::vector<int> edges_to_insist_on(const Worth& worth, const Geometry& geometry
   std::vector<int> edges = worth.lost_edges;
   for (int e = 1; e <= static_cast<int>(geometry.edges->size()); ++e)
     for (int f : geometry.edge(e).faces)
-      if (std::find(worth.lost_faces.begin(), worth.lost_faces.end(), f) != worth.lost_faces.end()) edges.push_back(e);
+      if (std::binary_search(worth.lost_faces.begin(), worth.lost_faces.end(), f)) edges.push_back(e);
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;

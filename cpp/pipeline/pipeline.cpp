@@ -98,12 +98,13 @@ void mesh_part(Part& part, Run& run) {
 }
 
 /// The part that was read from B-rep text last: a window asks for it again at another size, and reading takes longer than labels. A run
-/// takes it away and brings it back, so that it never serves two.
+/// takes it away and brings it back, so that it never serves two; a part of other text is dropped.
 class LastPart {
  public:
   std::unique_ptr<Part> take(const std::string& brep) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return part_ && brep == brep_ ? std::move(part_) : nullptr;
+    std::unique_ptr<Part> part = std::move(part_);
+    return brep == brep_ ? std::move(part) : nullptr;
   }
   void keep(const std::string& brep, std::unique_ptr<Part> part) {
     part->place_in_world();
@@ -123,9 +124,25 @@ LastPart& last_part() {
   return last;
 }
 
-/// Meshes the part that `read` makes and hands it to `done` unless an error ends the run.
-template <class Read, class Done>
-Result mesh_read_part(const Options& options, Context& context, const Read& read, const FirstLook& first_look, const Done& done) {
+/// A part that is brought back however the run ends.
+struct Borrowed {
+  const std::string& brep;
+  std::unique_ptr<Part> part = last_part().take(brep);
+
+  explicit Borrowed(const std::string& text) : brep(text) {}
+  Borrowed(const Borrowed&) = delete;
+  Borrowed& operator=(const Borrowed&) = delete;
+  ~Borrowed() {
+    try {
+      if (part) last_part().keep(brep, std::move(part));
+    } catch (...) {  // no memory for that: it is read again then
+    }
+  }
+};
+
+/// Meshes the part that `read` gives.
+template <class Read>
+Result mesh_read_part(const Options& options, Context& context, const Read& read, const FirstLook& first_look = {}) {
   Result result;
   result.options = options;
   if (options.time_limit > 0)
@@ -134,14 +151,13 @@ Result mesh_read_part(const Options& options, Context& context, const Read& read
   Run run(result.options, context, result);
   run.first_look = first_look;
   run.begin("read");
-  std::unique_ptr<Part> part = read();
-  result.options.size = choose_size(options, *part);
+  Part& part = read();
+  result.options.size = choose_size(options, part);
   try {
-    mesh_part(*part, run);
+    mesh_part(part, run);
   } catch (const Stopped& stopped) {
     result.stopped_after = stopped.step;
   }
-  done(std::move(part));
   run.finish();
   return result;
 }
@@ -149,16 +165,23 @@ Result mesh_read_part(const Options& options, Context& context, const Read& read
 }  // namespace
 
 Result mesh_file(const std::string& path, const Options& options, Context& context) {
-  return mesh_read_part(
-      options, context, [&] { return read_part(path, options, context); }, {}, [](std::unique_ptr<Part>) {});
+  std::unique_ptr<Part> part;
+  return mesh_read_part(options, context, [&]() -> Part& {
+    part = read_part(path, options, context);
+    return *part;
+  });
 }
 
 Result mesh_brep_string(const std::string& brep, const Options& options, Context& context, const FirstLook& first_look) {
-  const auto read = [&] {
-    std::unique_ptr<Part> part = last_part().take(brep);
-    return part ? std::move(part) : part_of_brep_string(brep, context);
+  Borrowed last(brep);
+  const auto read = [&]() -> Part& {
+    if (last.part)
+      context.log("read: the part is still there from the run before");
+    else
+      last.part = part_of_brep_string(brep, context);
+    return *last.part;
   };
-  return mesh_read_part(options, context, read, first_look, [&](std::unique_ptr<Part> part) { last_part().keep(brep, std::move(part)); });
+  return mesh_read_part(options, context, read, first_look);
 }
 
 }  // namespace hexfeature

@@ -26,7 +26,7 @@ SheetTrial try_sheets(const std::function<SheetTrial(const SheetNames& without)>
   SheetTrial best;
   // suspects: the next one to leave out last; all: ever inserted.
   SheetNames left_out, suspects, together, all;
-  bool bare = false;
+  bool bare = false;  // the mesh without any has been made
   for (int trial = 0; trial < rules.most; ++trial) {
     SheetNames without = left_out;
     if (trial > 0) {
@@ -37,6 +37,8 @@ SheetTrial try_sheets(const std::function<SheetTrial(const SheetNames& without)>
         without.insert(without.end(), first, suspects.end());
         suspects.erase(first, suspects.end());
         if (at_once) together.clear();
+        bare = std::all_of(all.begin(), all.end(),
+                           [&](const auto& name) { return std::find(without.begin(), without.end(), name) != without.end(); });
       } else if (!bare && best.smoothing.inverted == 0 && !best.worth.sound() && best.sheets.inserted > 0) {
         without = all;
         bare = true;

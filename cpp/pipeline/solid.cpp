@@ -57,8 +57,10 @@ HexComplex mesh_solid(Part& part, int solid, const std::vector<Mat3>& frames, Ru
       }
     };
     try {
-      // The last one may take all the time, when there is nothing yet that the rest of the run could go on with.
-      const auto spent = run_with_share(run.context, best || method != chosen.back() ? kShareForBetter : 1, try_method);
+      // The last one may take all the time, when there is nothing yet that the rest of the run could go on with. The others leave as much
+      // for each solid that comes.
+      const double share = best || method != chosen.back() ? kShareForBetter / (part.solid_count() - solid + 1) : 1;
+      const auto spent = run_with_share(run.context, share, try_method);
       if (spent) {
         Attempt attempt;
         attempt.method = method->name;

@@ -11,6 +11,7 @@ namespace {
 
 // Cosine of 155 degrees: the largest corner, as inserted, of a quad that the sheet may leave on an arc.
 constexpr double kBend = -0.906;
+constexpr double kFold = 0.5;  // ... and the least, 60 degrees
 
 // Local corner of hexahedron `nodes` at node v.
 int corner_of(const std::array<int, 8>& nodes, int v) { return static_cast<int>(std::find(nodes.begin(), nodes.end(), v) - nodes.begin()); }
@@ -388,7 +389,8 @@ class Inserter {
         const int cad = feature_of(result_, n[i], n[(i + 1) % 4]), node = n[(i + 1) % 4];
         if (cad == 0 || cad != feature_of(result_, node, n[(i + 2) % 4])) continue;
         const Vec3 back = result_.points[n[i]] - result_.points[node], on = result_.points[n[(i + 2) % 4]] - result_.points[node];
-        if (back.normalized().dot(on.normalized()) > kBend) continue;  // the edge bends enough by itself
+        const double cosine = back.dot(on) / (back.norm() * on.norm());  // not a number where an edge has no length
+        if (cosine > kBend && cosine < kFold) continue;                  // the edge bends enough by itself
         refusal_.reason = "the sheet would leave along CAD edge " + std::to_string(cad) + " and turn off it within one quad";
         const int old_node = node < old_.point_count() ? node : copies_[node - old_.point_count()].node;
         for (std::size_t e = 0; e < old_.feature_edges.size(); ++e) {

@@ -3,7 +3,7 @@
 
 OpenCASCADE's readers can crash on a damaged file, cannot be interrupted everywhere, and a system short of memory kills without
 asking. So the command line forks before it reads a part. Whatever becomes of the worker, its guard is still there: it answers
-Ctrl-C and the time limit at once, removes what was half written, and turns a crash into an error that names the step.
+Ctrl-C at once and the time limit when the core has not, removes what was half written, and turns a crash into an error that names the step.
 A program that imports the package has no such guard: there the core's own checks have to do.
 
 HEXFEATURE_GUARD=0 runs the work in this process, for debuggers.

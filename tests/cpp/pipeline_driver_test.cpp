@@ -175,11 +175,36 @@ TEST_CASE("why no mesh could be made is told rather than that time ran out") {
   }
 }
 
-TEST_CASE("a cancel ends the run, also with a mesh there") {
-  const Method cancelled{"cancelled", [](const SolidTask& task) -> Candidate {
-                           task.run.context.is_cancelled = [] { return true; };
-                           task.run.context.check();
-                           return {};
-                         }};
-  CHECK_THROWS_AS(run({yields("poor", true, 0.05, 0.5), cancelled}, "auto", 3600), MeshingError);
+TEST_CASE("a cancel ends the run, also with a mesh there and its share of the time used up") {
+  for (const bool late : {false, true}) {
+    const Method cancelled{"cancelled", [late](const SolidTask& task) -> Candidate {
+                             Context& context = task.run.context;
+                             if (late) context.deadline = Context::Clock::now() - std::chrono::milliseconds(1);
+                             context.is_cancelled = [asked = 0]() mutable { return asked++ == 0; };  // says so once
+                             context.check();
+                             return {};
+                           }};
+    CHECK_THROWS_AS(run({yields("poor", true, 0.05, 0.5), cancelled}, "auto", 3600), MeshingError);
+  }
+}
+
+TEST_CASE("what may better one solid leaves time for those to come") {
+  struct Two : NoPart {
+    int solid_count() const override { return 2; }
+  } part;
+  Options options;
+  Context context;
+  context.deadline = Context::Clock::now() + std::chrono::hours(1);
+  Result result;
+  Run all(options, context, result);
+  std::vector<double> minutes;
+  const Method clock{"clock", [&](const SolidTask& task) -> Candidate {
+                       minutes.push_back(std::chrono::duration<double>(task.run.context.deadline - Context::Clock::now()).count() / 60);
+                       return yields("poor", true, 0.05, 0.5).mesh(task);
+                     }};
+  for (int solid : {1, 2}) mesh_solid(part, solid, {Mat3::Identity()}, all, {clock, clock});
+  REQUIRE(minutes.size() == 4);
+  CHECK(minutes[0] == doctest::Approx(15).epsilon(0.01));
+  CHECK(minutes[1] == doctest::Approx(15).epsilon(0.01));
+  CHECK(minutes[2] == doctest::Approx(30).epsilon(0.01));
 }

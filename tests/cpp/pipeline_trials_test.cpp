@@ -66,6 +66,9 @@ TEST_CASE("a mesh with a bad element far from all sheets is made once without an
   Workshop without_any{[](const std::string& without) { return Outcome{without.empty() ? 0.1 : 0.15}; }, ""};
   CHECK(without_any.run().smoothing.min_sj == 0.15);
   CHECK(without_any.asked == Asked{"", "ABC"});
+  Workshop one{[](const std::string& without) { return Outcome{without.empty() ? 0.15 : 0.1}; }, "ABC"};
+  CHECK(one.run().smoothing.min_sj == 0.15);
+  CHECK(one.asked == Asked{"", "C", "B", "A", "ABC"});  // the last is that very mesh
   Workshop in_vain{[](const std::string& without) { return Outcome{without.empty() ? 0.15 : 0.1}; }, "C"};
   CHECK(in_vain.run().smoothing.min_sj == 0.15);
   CHECK(in_vain.asked == Asked{"", "C", "ABC"});

@@ -3,7 +3,6 @@
 
 #include <doctest/doctest.h>
 
-
 #include "hex_fixtures.h"
 #include "quality/topology.h"
 

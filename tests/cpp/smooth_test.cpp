@@ -357,7 +357,7 @@ TEST_CASE("the last bad elements are polished point by point, within bounds") {
   polish_worst(c, setting);
   CHECK(c.points == before);
   setting.held.assign(c.points.size(), 0);
-  // The middle could only go back along this line, which is as long as it may be the other way round.
+  // Tied to a corner by a line that is too long already, the middle may come nearer to it only.
   const int corner = static_cast<int>(std::find(before.begin(), before.end(), Vec3(2, 2, 2)) - before.begin());
   HexComplex tied = c;
   setting.spans.push_back({middle, corner, 0.5 * (before[middle] - Vec3(2, 2, 2)).norm(), 0});

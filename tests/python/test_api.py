@@ -61,6 +61,15 @@ def test_a_part_that_is_kept_for_the_next_run_gives_the_same_mesh_as_one_just_re
     with pytest.raises(hexfeature.MeshingError):
         hexfeature.mesh_brep(brep, size=1000)
     assert first == fresh == bytes_of(hexfeature.mesh_brep(brep, size=5)) == bytes_of(hexfeature.mesh_brep(brep, size=5))
+    # It is still there after a run that was cancelled, and gone after one of another part.
+    log = []
+    with pytest.raises(hexfeature.MeshingError):
+        hexfeature.mesh_brep(brep, size=2, cancelled=lambda: True)
+    hexfeature.mesh_brep(brep, size=5, stop_after="read", log=log.append)
+    assert sum("from the run before" in line for line in log) == 1
+    hexfeature.mesh_brep((parts / "box.brep").read_text(), size=5, stop_after="read", log=log.append)
+    hexfeature.mesh_brep(brep, size=5, stop_after="read", log=log.append)
+    assert sum("from the run before" in line for line in log) == 1
     # A part that is kept must not bother the interpreter's end.
     code = "import sys; sys.path.insert(0, sys.argv[2]); import hexfeature; hexfeature.mesh_brep(open(sys.argv[1]).read(), size=5)"
     package = str(Path(hexfeature.__file__).parents[1])
