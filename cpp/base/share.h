@@ -11,8 +11,8 @@ namespace hexfeature {
 constexpr double kShareForBetter = 0.5;
 
 /// Runs `work` with `share` (0..1] of the time left until the context's deadline, and with all memory that it allows. When that is used
-/// up, the run may go on without the work's result: logs and returns the error that says so (Cancelled for the time, NoMesh for the memory).
-/// Lets every other error through, a cancel and the run's own deadline too.
+/// up, the run may go on without the work's result: logs and returns the error that says so (Cancelled for the time, NoMesh for the
+/// memory). Lets every other error through, a cancel and the run's own deadline too.
 std::optional<MeshingError> run_with_share(Context& context, double share, const std::function<void()>& work);
 
 }  // namespace hexfeature

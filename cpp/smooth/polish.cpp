@@ -31,6 +31,7 @@ class Polish {
     for (int h = 0; h < mesh.hex_count(); ++h)
       for (int v : mesh.hexes[h]) hexes_[fill[v]++] = h;
     start_ = mesh.points;
+    settled_.assign(mesh.points.size(), 0);
     spans_.resize(mesh.points.size());
     for (const Span& span : setting.spans) {
       spans_[span.a].push_back(&span);
@@ -62,14 +63,17 @@ class Polish {
     return worst;
   }
 
-  /// Least quality round v with the point where it is now; stops counting at `enough` or below.
-  double measured_round(int v, double enough) const {
-    double worst = 1;
-    for (int i = begin_[v]; i < begin_[v + 1] && worst > enough; ++i) {
-      std::array<Vec3, 8> corners;
-      for (int k = 0; k < 8; ++k) corners[k] = mesh_.points[mesh_.hexes[hexes_[i]][k]];
-      worst = std::min(worst, proved_scaled_jacobian(corners));
-    }
+  double measured(int h) const {
+    std::array<Vec3, 8> corners;
+    for (int k = 0; k < 8; ++k) corners[k] = mesh_.points[mesh_.hexes[h][k]];
+    return proved_scaled_jacobian(corners);
+  }
+
+  /// Least quality round v with the point where it is now, the element `first` looked at first; stops counting at `enough` or below.
+  double measured_round(int v, int first, double enough) const {
+    double worst = measured(first);
+    for (int i = begin_[v]; i < begin_[v + 1] && worst > enough; ++i)
+      if (hexes_[i] != first) worst = std::min(worst, measured(hexes_[i]));
     return worst;
   }
 
@@ -121,9 +125,12 @@ class Polish {
   }
 
   bool improve(int v) {
-    if (setting_.held[v] != 0) return false;
+    if (setting_.held[v] != 0 || settled_[v] != 0) return false;
+    settled_[v] = 1;
     double best = worst_round(v);
     if (best >= kLimit) return false;
+    const int worst = *std::min_element(hexes_.begin() + begin_[v], hexes_.begin() + begin_[v + 1],
+                                        [&](int a, int b) { return quality_[a] != quality_[b] ? quality_[a] < quality_[b] : a < b; });
     const std::vector<Vec3> free = axes(v);
     const double h = setting_.options.size;
     bool moved = false;
@@ -139,7 +146,7 @@ class Polish {
           const double least_edge = std::min(kLeastEdge * h, shortest_edge(v)), most_excess = excess(v);
           mesh_.points[v] = p;
           const bool allowed = shortest_edge(v) >= least_edge && excess(v) <= most_excess;
-          const double now = allowed ? measured_round(v, best + kLeastGain) : -1;
+          const double now = allowed ? measured_round(v, worst, best + kLeastGain) : -1;
           if (now <= best + kLeastGain) {
             mesh_.points[v] = old;
             continue;
@@ -151,19 +158,19 @@ class Polish {
       if (!better) step *= 0.5;
       moved |= better;
     }
-    if (moved)
-      for (int i = begin_[v]; i < begin_[v + 1]; ++i) {
-        std::array<Vec3, 8> corners;
-        for (int k = 0; k < 8; ++k) corners[k] = mesh_.points[mesh_.hexes[hexes_[i]][k]];
-        quality_[hexes_[i]] = proved_scaled_jacobian(corners);
-      }
-    return moved;
+    if (!moved) return false;
+    for (int i = begin_[v]; i < begin_[v + 1]; ++i) {
+      quality_[hexes_[i]] = measured(hexes_[i]);
+      for (int w : mesh_.hexes[hexes_[i]]) settled_[w] = 0;
+    }
+    return true;
   }
 
   HexComplex& mesh_;
   SmoothSetting& setting_;
   std::vector<double>& quality_;
   std::vector<int> begin_, hexes_;  ///< the elements round each point
+  std::vector<char> settled_;       ///< points that could not be moved since their elements changed last
   std::vector<Vec3> start_;
   std::vector<std::vector<const Span*>> spans_;  ///< at each point
 };
