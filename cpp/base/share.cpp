@@ -16,19 +16,21 @@ class Deadline {
  public:
   Deadline(Context& context, double share) : context_(context), whole_(context.deadline) {
     const auto now = Context::Clock::now();
-    if (share >= 1 || whole_ == Context::Clock::time_point::max() || whole_ <= now) return;
+    shortened_ = share < 1 && whole_ != Context::Clock::time_point::max() && whole_ > now;
+    if (!shortened_) return;
     context.deadline = now + std::chrono::duration_cast<Context::Clock::duration>(share * (whole_ - now));
   }
   ~Deadline() { context_.deadline = whole_; }
   Deadline(const Deadline&) = delete;
   Deadline& operator=(const Deadline&) = delete;
 
-  /// Whether the run has time left.
-  bool is_share() const { return context_.deadline < whole_ && Context::Clock::now() < whole_; }
+  /// Whether it was the share that ended, and the run has time left.
+  bool is_share() const { return shortened_ && Context::Clock::now() < whole_; }
 
  private:
   Context& context_;
   Context::Clock::time_point whole_;
+  bool shortened_ = false;
 };
 
 MeshingError out_of_memory(const Context& context, const std::string& reason) {

@@ -40,6 +40,14 @@ def test_the_same_file_whatever_the_threads(parts, tmp_path, method, part):
     assert filecmp.cmp(tmp_path / "1.vtk", tmp_path / "2.vtk", shallow=False)
 
 
+@pytest.mark.parametrize("limit", [0.02, 0.2])
+@pytest.mark.parametrize("method", ["feature-line", "tet-split", "auto"])
+def test_the_time_limit_of_the_run_is_told_as_that(parts, method, limit):
+    with pytest.raises(hexfeature.MeshingError) as caught:
+        hexfeature.mesh(parts / "plate.step", size=0.4, method=method, time_limit=limit)
+    assert (caught.value.kind, caught.value.reason) == ("cancelled", "time limit reached")
+
+
 @pytest.mark.skipif(sys.platform != "linux", reason="elsewhere a process is not told its size")
 @pytest.mark.parametrize("method", ["tet-split", "auto"])
 def test_the_memory_limit_ends_every_method_with_an_error(parts, tmp_path, method):
