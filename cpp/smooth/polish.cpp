@@ -57,12 +57,6 @@ class Polish {
   }
 
  private:
-  double worst_round(int v) const {
-    double worst = 1;
-    for (int i = begin_[v]; i < begin_[v + 1]; ++i) worst = std::min(worst, quality_[hexes_[i]]);
-    return worst;
-  }
-
   double measured(int h) const {
     std::array<Vec3, 8> corners;
     for (int k = 0; k < 8; ++k) corners[k] = mesh_.points[mesh_.hexes[h][k]];
@@ -127,10 +121,10 @@ class Polish {
   bool improve(int v) {
     if (setting_.held[v] != 0 || settled_[v] != 0) return false;
     settled_[v] = 1;
-    double best = worst_round(v);
-    if (best >= kLimit) return false;
     const int worst = *std::min_element(hexes_.begin() + begin_[v], hexes_.begin() + begin_[v + 1],
-                                        [&](int a, int b) { return quality_[a] != quality_[b] ? quality_[a] < quality_[b] : a < b; });
+                                        [&](int a, int b) { return quality_[a] < quality_[b]; });
+    double best = quality_[worst];
+    if (best >= kLimit) return false;
     const std::vector<Vec3> free = axes(v);
     const double h = setting_.options.size;
     bool moved = false;
