@@ -152,20 +152,19 @@ PYBIND11_MODULE(_core, m) {
   m.def(
       "mesh_brep",
       [](const std::string& brep, const py::dict& options, const py::object& progress, const py::object& log, const py::object& cancelled,
-         const py::object& first_look) {
-        FirstLook look;
-        if (!first_look.is_none())
-          look = [&first_look](const Result& result) {
-            auto copy = std::make_shared<Result>(result);  // the run goes on and changes its own
+         const py::object& look) {
+        Look show;
+        if (!look.is_none())
+          show = [&look](std::shared_ptr<Result> result, int solid, bool final) {
             py::gil_scoped_acquire gil;
-            first_look(copy);
+            look(std::move(result), solid, final);
           };
-        return run([&](const Options& o, Context& c) { return mesh_brep_string(brep, o, c, look); }, options, progress, log, cancelled);
+        return run([&](const Options& o, Context& c) { return mesh_brep_string(brep, o, c, show); }, options, progress, log, cancelled);
       },
       py::arg("brep"), py::arg("options") = py::dict(), py::arg("progress") = py::none(), py::arg("log") = py::none(),
-      py::arg("cancelled") = py::none(), py::arg("first_look") = py::none(),
-      "Mesh a B-rep given as text. first_look(result): called once when labels and feature shape are there that are going to be repaired, "
-      "with their stages. Raises MeshingError.");
+      py::arg("cancelled") = py::none(), py::arg("look") = py::none(),
+      "Mesh a B-rep given as text. look(result, solid, final): for a preview, called with the stages labels and shape of each solid, as "
+      "soon as there are some and when they are final; stop_after then ends the run at the last solid. Raises MeshingError.");
 
   bind_arrays(m);
 

@@ -2,6 +2,7 @@
 #include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
+#include <OSD_Parallel.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -10,6 +11,8 @@
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <mutex>
 
 #include "brep/model_impl.h"
 #include "brep/occt.h"
@@ -27,62 +30,80 @@ Vec3 corner_normal(const CadModel::Impl& impl, int h) {
   return impl.cad.face(impl.base.triangle_face[t]).normal_towards(impl.base.corner_uv[h], middle);
 }
 
-void analyse_faces(CadModel& model, Context& context) {
+/// Face `i`, 0-based, with its base triangles.
+void analyse_face(CadModel& model, int i, const std::vector<int>& triangles) {
   const CadModel::Impl& impl = model.impl();
   const BaseMesh& base = impl.base;
-  std::vector<std::vector<int>> triangles(impl.cad.faces.size());
-  for (int t = 0; t < base.triangle_count(); ++t) triangles[base.triangle_face[t] - 1].push_back(t);
-  for (std::size_t i = 0; i < impl.cad.faces.size(); ++i) {
-    context.check();
-    const FaceGeometry& g = impl.cad.faces[i];
-    CadFace& f = model.faces[i];
-    const TopoDS_Face shape = TopoDS::Face(impl.cad.face_map(static_cast<int>(i) + 1));
-    GProp_GProps properties;
-    BRepGProp::SurfaceProperties(shape, properties);
-    f.area = std::abs(properties.Mass());
-    f.solid = triangles[i].empty() ? 0 : base.triangle_solid[triangles[i].front()];
-    for (TopExp_Explorer e(shape, TopAbs_EDGE); e.More(); e.Next()) {
-      const int id = impl.cad.edge_map.FindIndex(e.Current());
-      if (std::find(f.edges.begin(), f.edges.end(), id) == f.edges.end()) f.edges.push_back(id);
-    }
-    f.kind = g.native;
-    f.origin = g.origin;
-    f.axis = g.z;
-    f.radius = g.radius;
-    f.radius2 = g.radius2;
-    f.half_angle = std::atan2(g.sine, g.cosine);
-    if (g.native == SurfaceKind::Plane) f.axis = g.normal(g.lower);
-    if (triangles[i].empty()) continue;
-    if (g.native == SurfaceKind::Other) {
-      std::vector<Vec3> points, normals;
-      const int step = std::max<int>(1, static_cast<int>(triangles[i].size()) / 100);
-      for (std::size_t k = 0; k < triangles[i].size(); k += step) {
-        const int t = triangles[i][k];
-        const Vec2 uv = (base.corner_uv[3 * t] + base.corner_uv[3 * t + 1] + base.corner_uv[3 * t + 2]) / 3;
-        const Vec3 n = g.normal(uv);
-        if (!n.isZero()) {
-          points.push_back(g.point(uv));
-          normals.push_back(n);
-        }
-        for (int c = 0; c < 3; ++c) {
-          const Vec3 m = g.normal(base.corner_uv[3 * t + c]);
-          if (m.isZero()) continue;
-          points.push_back(g.point(base.corner_uv[3 * t + c]));
-          normals.push_back(m);
-        }
-      }
-      recognise(points, normals, 1e-5 * impl.cad.diagonal, f);
-    }
-    if (f.kind != SurfaceKind::Plane && f.kind != SurfaceKind::Other) {
-      const int t = triangles[i].front();
-      const Vec2 uv = (base.corner_uv[3 * t] + base.corner_uv[3 * t + 1] + base.corner_uv[3 * t + 2]) / 3;
-      const Vec3 p = g.point(uv), d = p - f.origin, n = g.normal(uv);
-      Vec3 away = d - d.dot(f.axis) * f.axis;
-      if (f.kind == SurfaceKind::Sphere) away = d;
-      if (f.kind == SurfaceKind::Torus) away = d - f.radius * away.normalized();
-      f.outward_convex = n.dot(away) > 0;
-    }
+  const FaceGeometry& g = impl.cad.faces[i];
+  CadFace& f = model.faces[i];
+  const TopoDS_Face shape = TopoDS::Face(impl.cad.face_map(i + 1));
+  GProp_GProps properties;
+  BRepGProp::SurfaceProperties(shape, properties);
+  f.area = std::abs(properties.Mass());
+  f.solid = triangles.empty() ? 0 : base.triangle_solid[triangles.front()];
+  for (TopExp_Explorer e(shape, TopAbs_EDGE); e.More(); e.Next()) {
+    const int id = impl.cad.edge_map.FindIndex(e.Current());
+    if (std::find(f.edges.begin(), f.edges.end(), id) == f.edges.end()) f.edges.push_back(id);
   }
+  f.kind = g.native;
+  f.origin = g.origin;
+  f.axis = g.z;
+  f.radius = g.radius;
+  f.radius2 = g.radius2;
+  f.half_angle = std::atan2(g.sine, g.cosine);
+  if (g.native == SurfaceKind::Plane) f.axis = g.normal(g.lower);
+  if (triangles.empty()) return;
+  if (g.native == SurfaceKind::Other) {
+    std::vector<Vec3> points, normals;
+    const int step = std::max<int>(1, static_cast<int>(triangles.size()) / 100);
+    for (std::size_t k = 0; k < triangles.size(); k += step) {
+      const int t = triangles[k];
+      const Vec2 uv = (base.corner_uv[3 * t] + base.corner_uv[3 * t + 1] + base.corner_uv[3 * t + 2]) / 3;
+      const Vec3 n = g.normal(uv);
+      if (!n.isZero()) {
+        points.push_back(g.point(uv));
+        normals.push_back(n);
+      }
+      for (int c = 0; c < 3; ++c) {
+        const Vec3 m = g.normal(base.corner_uv[3 * t + c]);
+        if (m.isZero()) continue;
+        points.push_back(g.point(base.corner_uv[3 * t + c]));
+        normals.push_back(m);
+      }
+    }
+    recognise(points, normals, 1e-5 * impl.cad.diagonal, f);
+  }
+  if (f.kind != SurfaceKind::Plane && f.kind != SurfaceKind::Other) {
+    const int t = triangles.front();
+    const Vec2 uv = (base.corner_uv[3 * t] + base.corner_uv[3 * t + 1] + base.corner_uv[3 * t + 2]) / 3;
+    const Vec3 p = g.point(uv), d = p - f.origin, n = g.normal(uv);
+    Vec3 away = d - d.dot(f.axis) * f.axis;
+    if (f.kind == SurfaceKind::Sphere) away = d;
+    if (f.kind == SurfaceKind::Torus) away = d - f.radius * away.normalized();
+    f.outward_convex = n.dot(away) > 0;
+  }
+}
+
+void analyse_faces(CadModel& model, Context& context, int threads) {
+  const BaseMesh& base = model.impl().base;
+  std::vector<std::vector<int>> triangles(model.faces.size());
+  for (int t = 0; t < base.triangle_count(); ++t) triangles[base.triangle_face[t] - 1].push_back(t);
+  // Areas of splines take their time. What is thrown is carried over by hand: OpenCASCADE's loop would make something else of it.
+  std::exception_ptr thrown;
+  std::mutex mutex;
+  OSD_Parallel::For(
+      0, static_cast<int>(model.faces.size()),
+      [&](int i) {
+        try {
+          context.check();
+          analyse_face(model, i, triangles[i]);
+        } catch (...) {
+          const std::lock_guard<std::mutex> lock(mutex);
+          if (!thrown) thrown = std::current_exception();
+        }
+      },
+      threads < 2);
+  if (thrown) std::rethrow_exception(thrown);
 }
 
 void analyse_edges(CadModel& model) {
@@ -178,19 +199,16 @@ void analyse_vertices(CadModel& model) {
 
 }  // namespace
 
-void analyse(CadModel& model, Context& context) {
+void analyse(CadModel& model, Context& context, int threads) {
   CadModel::Impl& impl = model.impl();
   model.solid_count = static_cast<int>(impl.cad.solids.size());
   model.faces.assign(impl.cad.faces.size(), {});
   model.edges.assign(impl.cad.edges.size(), {});
   model.vertices.assign(impl.cad.vertices.size(), {});
   guarded("read", "the part cannot be analysed", [&] {
-    analyse_faces(model, context);
+    analyse_faces(model, context, threads);
     analyse_edges(model);
     analyse_vertices(model);
-    GProp_GProps properties;
-    BRepGProp::VolumeProperties(impl.cad.shape, properties);
-    impl.volume = std::abs(properties.Mass());
     return 0;
   });
 }

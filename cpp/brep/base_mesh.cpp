@@ -268,7 +268,7 @@ void turn_outward(CadTables& cad, BaseMesh& mesh) {
 
 }  // namespace
 
-BaseMesh make_base_mesh(CadTables& cad, Context& context) {
+BaseMesh make_base_mesh(CadTables& cad, Context& context, int threads) {
   std::vector<int> bad;
   const double deflection[4] = {0.004, 0.001, 0.0003, 0.02};
   const double degrees[4] = {15, 9, 5, 30};
@@ -277,7 +277,7 @@ BaseMesh make_base_mesh(CadTables& cad, Context& context) {
     parameters.Deflection = parameters.DeflectionInterior = deflection[attempt] * cad.diagonal;
     parameters.Angle = parameters.AngleInterior = degrees[attempt] * EIGEN_PI / 180;
     parameters.MinSize = 1e-5 * cad.diagonal;
-    parameters.InParallel = Standard_False;
+    parameters.InParallel = threads > 1;
     bad = guarded("read", "a face cannot be triangulated", [&] {
       BRepTools::Clean(cad.shape);
       Handle(CancelIndicator) indicator = new CancelIndicator(context);

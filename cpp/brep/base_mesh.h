@@ -47,7 +47,7 @@ struct BaseMesh {
 
 /// Triangulate with BRepMesh and weld along the CAD edges by their numbers, never by distance. Retries finer when
 /// BRepMesh leaves a crack; then throws MeshingError(BadInput, "read") naming the faces.
-/// Faces of a solid that is inside out are turned in `cad`.
-BaseMesh make_base_mesh(CadTables& cad, Context& context);
+/// Faces of a solid that is inside out are turned in `cad`. With more than one thread OpenCASCADE takes its own pool, with the same result.
+BaseMesh make_base_mesh(CadTables& cad, Context& context, int threads);
 
 }  // namespace hexfeature

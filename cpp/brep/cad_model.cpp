@@ -1,16 +1,36 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #include "brep/cad_model.h"
 
+#include <BRepGProp.hxx>
+#include <GProp_GProps.hxx>
 #include <algorithm>
+#include <cmath>
 
 #include "brep/model_impl.h"
+#include "brep/occt.h"
 
 namespace hexfeature {
 
 CadModel::CadModel(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 CadModel::~CadModel() = default;
 
-double CadModel::volume() const { return impl_->volume; }
+double CadModel::volume() const {
+  if (impl_->volume < 0)
+    impl_->volume = guarded("read", "the part's volume cannot be measured", [&] {
+      GProp_GProps properties;
+      BRepGProp::VolumeProperties(impl_->cad.shape, properties);
+      return std::abs(properties.Mass());
+    });
+  return impl_->volume;
+}
+
+double CadModel::rough_volume() const {
+  double six = 0;
+  const Vec3& o = impl_->base.points.front();
+  for (const auto& t : impl_->base.triangles)
+    six += (impl_->base.points[t[0]] - o).dot((impl_->base.points[t[1]] - o).cross(impl_->base.points[t[2]] - o));
+  return std::abs(six) / 6;
+}
 
 namespace {
 template <class Pick>

@@ -30,8 +30,9 @@ class CadModel : public Projector {
   const CadVertex& vertex(int id) const { return vertices[id - 1]; }
 
   Geometry geometry() const { return {&faces, &edges, &vertices, this}; }
-  double volume() const;
-  Vec3 bbox_min() const;  ///< of the placed part
+  double volume() const;        ///< measured when first asked for, which takes a while on splines
+  double rough_volume() const;  ///< of the first triangulation
+  Vec3 bbox_min() const;        ///< of the placed part
   Vec3 bbox_max() const;
   double diagonal() const { return (bbox_max() - bbox_min()).norm(); }
 
@@ -59,10 +60,10 @@ class CadModel : public Projector {
 /// Face numbers are those of the file's shape as FreeCAD numbers it: for one solid, that solid's faces in
 /// MapShapes order; for several, the compound's. Throws MeshingError(BadInput, "read") with a hint: missing file,
 /// a directory, empty, truncated, no solid, open shell.
-std::unique_ptr<CadModel> read_cad(const std::string& path, Context& context);
+std::unique_ptr<CadModel> read_cad(const std::string& path, Context& context, int threads = 1);
 
 /// Read a B-rep from its text (FreeCAD: shape.exportBrepToString()).
-std::unique_ptr<CadModel> read_brep_string(const std::string& text, Context& context);
+std::unique_ptr<CadModel> read_brep_string(const std::string& text, Context& context, int threads = 1);
 
 /// Candidate working frames, best first: rotations that bring the part's own directions onto the axes
 /// (least sum of area * |R n|_1), for use with `place`; all from the file's frame, however the part is placed now. At most

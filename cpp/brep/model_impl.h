@@ -35,13 +35,13 @@ struct CadModel::Impl {
   Mat3 rotation = Mat3::Identity();
   Vec3 centre = Vec3::Zero();
   std::vector<CadFace> faces_as_read;  ///< filled by the first CadModel::place
-  double volume = 0;
+  double volume = -1;                  ///< below 0: nobody has asked for it yet
 
   Impl(CadTables tables, BaseMesh mesh) : cad(std::move(tables)), base(std::move(mesh)) {}
 };
 
 /// Fill the model's faces, edges and vertices (file's frame) from tables and base mesh.
-void analyse(CadModel& model, Context& context);
+void analyse(CadModel& model, Context& context, int threads);
 
 /// Recognise plane, cylinder, cone, sphere and torus in a face whose surface is something else (spline, revolution,
 /// extrusion), from points and normals of the true surface. Sets kind, origin, axis and radii; leaves Other when none fits.

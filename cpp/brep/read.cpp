@@ -187,23 +187,23 @@ TopoDS_Shape mend(const TopoDS_Shape& part, Context& context) {
   return solids_of(mended).size() == 1 ? solids_of(mended).front() : mended;
 }
 
-std::unique_ptr<CadModel> tabulate(const TopoDS_Shape& part, Context& context) {
+std::unique_ptr<CadModel> tabulate(const TopoDS_Shape& part, Context& context, int threads) {
   CadTables tables(part);
   if (!(tables.diagonal > 0) || !std::isfinite(tables.diagonal)) bad_input("the part has no extent", "check its geometry");
-  BaseMesh base = make_base_mesh(tables, context);
+  BaseMesh base = make_base_mesh(tables, context, threads);
   return std::make_unique<CadModel>(std::make_unique<CadModel::Impl>(std::move(tables), std::move(base)));
 }
 
 /// The model of a part; of the mended part when its surface does not close as it is.
-std::unique_ptr<CadModel> tabulate_or_mend(const TopoDS_Shape& part, std::vector<std::string>& warnings, Context& context) {
+std::unique_ptr<CadModel> tabulate_or_mend(const TopoDS_Shape& part, std::vector<std::string>& warnings, Context& context, int threads) {
   try {
-    return tabulate(part, context);
+    return tabulate(part, context, threads);
   } catch (const MeshingError& error) {
     if (error.kind != Failure::BadInput) throw;
     try {
       const TopoDS_Shape mended = guarded("read", "the part cannot be mended", [&] { return mend(part, context); });
       if (mended.IsNull()) throw error;
-      std::unique_ptr<CadModel> model = tabulate(mended, context);
+      std::unique_ptr<CadModel> model = tabulate(mended, context, threads);
       warnings.push_back("tiny edges and faces were removed: face numbers are those of the mended solid");
       return model;
     } catch (const MeshingError& second) {
@@ -213,13 +213,13 @@ std::unique_ptr<CadModel> tabulate_or_mend(const TopoDS_Shape& part, std::vector
   }
 }
 
-std::unique_ptr<CadModel> make_model(const ReadShape& read, Context& context) {
+std::unique_ptr<CadModel> make_model(const ReadShape& read, Context& context, int threads) {
   return guarded("read", "the part cannot be read", [&] {
     std::vector<std::string> warnings = read.warnings;
     TopoDS_Shape part = part_of(read.shape, warnings);
     require_sound(part, context);
     context.progress("read", 0.5);
-    if (!BRepCheck_Analyzer(part, Standard_True).IsValid()) {
+    if (!BRepCheck_Analyzer(part, Standard_True, threads > 1).IsValid()) {
       const TopoDS_Shape healed = heal(part, context);
       if (!healed.IsNull() && !solids_of(healed).empty()) {
         part = solids_of(healed).size() == 1 ? solids_of(healed).front() : healed;
@@ -227,11 +227,11 @@ std::unique_ptr<CadModel> make_model(const ReadShape& read, Context& context) {
       }
     }
     context.progress("read", 0.6);
-    std::unique_ptr<CadModel> model = tabulate_or_mend(part, warnings, context);
+    std::unique_ptr<CadModel> model = tabulate_or_mend(part, warnings, context, threads);
     context.progress("read", 0.8);
     model->warnings = std::move(warnings);
     model->impl().trims = make_trim_regions(model->impl().cad, model->impl().base);
-    analyse(*model, context);
+    analyse(*model, context, threads);
     model->solid_names.assign(model->solid_count, "");
     for (const auto& [solid, name] : read.names)
       for (int s = 0; s < model->solid_count; ++s)
@@ -253,26 +253,26 @@ CadTables::CadTables(const TopoDS_Shape& part) : shape(part), solids(solids_of(p
   diagonal = size_of(shape);
 }
 
-std::unique_ptr<CadModel> read_cad(const std::string& path, Context& context) {
+std::unique_ptr<CadModel> read_cad(const std::string& path, Context& context, int threads) {
   silence_occt();
   context.progress("read", 0);
   check_file(path);
   const std::string ending = lower_extension(path);
   return guarded("read", "'" + path + "' cannot be read", [&] {
-    if (ending == ".step" || ending == ".stp") return make_model(read_step(path, context), context);
-    if (ending == ".iges" || ending == ".igs") return make_model(read_iges(path, context), context);
+    if (ending == ".step" || ending == ".stp") return make_model(read_step(path, context), context, threads);
+    if (ending == ".iges" || ending == ".igs") return make_model(read_iges(path, context), context, threads);
     if (ending == ".brep" || ending == ".brp") {
       std::ifstream in(path, std::ios::binary);
-      return make_model({parse_brep(std::string(std::istreambuf_iterator<char>(in), {})), {}, {}}, context);
+      return make_model({parse_brep(std::string(std::istreambuf_iterator<char>(in), {})), {}, {}}, context, threads);
     }
     bad_input("'" + ending + "' is no CAD file that can be read", "use .step, .iges or .brep");
   });
 }
 
-std::unique_ptr<CadModel> read_brep_string(const std::string& text, Context& context) {
+std::unique_ptr<CadModel> read_brep_string(const std::string& text, Context& context, int threads) {
   silence_occt();
   context.progress("read", 0);
-  return guarded("read", "the B-rep text cannot be read", [&] { return make_model({parse_brep(text), {}, {}}, context); });
+  return guarded("read", "the B-rep text cannot be read", [&] { return make_model({parse_brep(text), {}, {}}, context, threads); });
 }
 
 }  // namespace hexfeature

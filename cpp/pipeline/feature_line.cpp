@@ -43,6 +43,7 @@ LabelResult label(const SurfaceMesh& surface, const Geometry& geometry, const La
   options.max_work = effort.max_work;
   AxisRayCache rays;  // the search tries many labels on few meshes
   const FillCheck fill = [&](const SurfaceMesh& mesh, const FeatureShape& shape, bool thorough) -> FillOutcome {
+    run.show_first(mesh, shape);
     const QuantizeOptions quantize = quantize_options(run.options);
     const AxisRays& sampled = rays.rays(mesh, ray_count(mesh, quantize), run.context);
     const FillReport report = build_lattice(mesh, shape, sampled, quantize, run.context, thorough).report;
@@ -56,11 +57,7 @@ LabelResult label(const SurfaceMesh& surface, const Geometry& geometry, const La
     run.result.adaptation = std::move(paper.adaptation);
     return std::move(paper);
   }
-  if (run.first_look)
-    options.first_look = [&run](LabelResult labels) {
-      run.result.labels = std::move(labels);
-      std::exchange(run.first_look, {})(run.result);
-    };
+  if (run.look) options.first_look = [&run](const LabelResult& labels) { run.show_first(labels.surface.mesh, labels.shape); };
   return label_regions(surface, geometry, options, fill, run.context);
 }
 
@@ -244,6 +241,7 @@ HexComplex feature_line(const SolidTask& task, const LabelEffort& effort) {
 
   run.begin("labels");
   result.labels = label(result.surface, geometry, effort, run);
+  run.show_final();
   run.complete();
   run.reached("shape");
   require_valid(result.labels);

@@ -18,6 +18,7 @@ class CadPart : public Part {
   int solid_count() const override { return model_->solid_count; }
   std::vector<std::string> solid_names() const override { return model_->solid_names; }
   double volume() const override { return model_->volume(); }
+  double rough_volume() const override { return model_->rough_volume(); }
   double diagonal() const override { return model_->diagonal(); }
   std::vector<std::string> warnings() const override { return model_->warnings; }
   std::vector<Mat3> frames() const override { return find_frames(*model_, 2); }
@@ -90,11 +91,11 @@ std::unique_ptr<Part> read_part(const std::string& path, const Options& options,
   std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
   if (ending == "stl" || ending == "obj" || ending == "ply")
     return std::make_unique<SurfacePart>(read_triangles(path, options.crease_angle, context));
-  return std::make_unique<CadPart>(read_cad(path, context));
+  return std::make_unique<CadPart>(read_cad(path, context, options.threads));
 }
 
-std::unique_ptr<Part> part_of_brep_string(const std::string& brep, Context& context) {
-  return std::make_unique<CadPart>(read_brep_string(brep, context));
+std::unique_ptr<Part> part_of_brep_string(const std::string& brep, const Options& options, Context& context) {
+  return std::make_unique<CadPart>(read_brep_string(brep, context, options.threads));
 }
 
 SurfaceMesh surface_of_solid(const SurfaceMesh& surface, const Geometry& geometry, int solid) {

@@ -19,6 +19,7 @@ class Part {
   virtual int solid_count() const = 0;
   virtual std::vector<std::string> solid_names() const { return {}; }  ///< one a solid, or none
   virtual double volume() const = 0;
+  virtual double rough_volume() const { return volume(); }  ///< within some percent, at once
   virtual double diagonal() const = 0;
   virtual std::vector<std::string> warnings() const = 0;
   /// Candidate working frames, best first (rotations of the part as read).
@@ -35,7 +36,7 @@ class Part {
 
 /// Chooses the reader by the file's ending. Throws MeshingError(BadInput, "read").
 std::unique_ptr<Part> read_part(const std::string& path, const Options& options, Context& context);
-std::unique_ptr<Part> part_of_brep_string(const std::string& brep, Context& context);
+std::unique_ptr<Part> part_of_brep_string(const std::string& brep, const Options& options, Context& context);
 
 /// The triangles of one solid, as a mesh of their own.
 SurfaceMesh surface_of_solid(const SurfaceMesh& surface, const Geometry& geometry, int solid);

@@ -18,15 +18,14 @@ namespace {
 
 /// The element size of a user who gave none: about 3000 elements. Refuses sizes that cannot make a mesh.
 double choose_size(const Options& options, const Part& part) {
-  const double volume = part.volume();
-  if (options.size <= 0) return std::cbrt(volume / 3000);
-  const double elements = volume / std::pow(options.size, 3);
+  if (options.size <= 0) return std::cbrt(part.volume() / 3000);
   if (options.size > part.diagonal())
     throw MeshingError(Failure::Usage, "options", "the element size is larger than the part",
                        "give a size well below the part's length of " + std::to_string(part.diagonal()));
-  if (elements > 5e7) {
+  constexpr double kMost = 5e7;
+  if (part.rough_volume() / std::pow(options.size, 3) > kMost) {
     std::ostringstream text;
-    text << "the element size asks for about " << elements << " elements";
+    text << "the element size asks for about " << part.volume() / std::pow(options.size, 3) << " elements";
     throw MeshingError(Failure::Usage, "options", text.str(), "give a larger size");
   }
   return options.size;
@@ -62,7 +61,7 @@ void mesh_part(Part& part, Run& run) {
   result.cad_vertices = static_cast<int>(geometry.vertices->size());
   result.solids = part.solid_count();
   result.solid_names = part.solid_names();
-  result.cad_volume = part.volume();
+  if (!run.look) result.cad_volume = part.volume();  // a preview does without, and is sooner there
   result.warnings = part.warnings();
   if (result.solids > 1) result.warnings.push_back("the solids are meshed one by one: where they touch, their meshes do not share nodes");
   run.complete();
@@ -72,12 +71,20 @@ void mesh_part(Part& part, Run& run) {
   run.complete();
 
   HexComplex mesh;
-  for (int solid = 1; solid <= part.solid_count(); ++solid) append(mesh, mesh_solid(part, solid, frames, run));
+  for (int solid = 1; solid <= part.solid_count(); ++solid) {
+    run.begin_solid(solid);
+    try {
+      append(mesh, mesh_solid(part, solid, frames, run));
+    } catch (const Stopped&) {
+      if (!run.look || solid == part.solid_count()) throw;
+    }
+  }
   result.mesh = std::move(mesh);
 
   run.begin("quality");
   part.place_in_world();
   result.quality = measure_quality(result.mesh, *geometry.projector, run.context);
+  result.cad_volume = part.volume();
   result.limits = measure_limits(result.mesh, geometry);
   Faithfulness kept = measure_faithfulness(result.mesh, geometry, 0, nullptr, run.options.size, run.context);
   result.faces_without_quads = std::move(kept.faces_without_quads);
@@ -142,14 +149,14 @@ struct Borrowed {
 
 /// Meshes the part that `read` gives.
 template <class Read>
-Result mesh_read_part(const Options& options, Context& context, const Read& read, const FirstLook& first_look = {}) {
+Result mesh_read_part(const Options& options, Context& context, const Read& read, const Look& look = {}) {
   Result result;
   result.options = options;
   if (options.time_limit > 0)
     context.deadline =
         Context::Clock::now() + std::chrono::duration_cast<Context::Clock::duration>(std::chrono::duration<double>(options.time_limit));
   Run run(result.options, context, result);
-  run.first_look = first_look;
+  run.look = look;
   run.begin("read");
   Part& part = read();
   result.options.size = choose_size(options, part);
@@ -172,16 +179,16 @@ Result mesh_file(const std::string& path, const Options& options, Context& conte
   });
 }
 
-Result mesh_brep_string(const std::string& brep, const Options& options, Context& context, const FirstLook& first_look) {
+Result mesh_brep_string(const std::string& brep, const Options& options, Context& context, const Look& look) {
   Borrowed last(brep);
   const auto read = [&]() -> Part& {
     if (last.part)
       context.log("read: the part is still there from the run before");
     else
-      last.part = part_of_brep_string(brep, context);
+      last.part = part_of_brep_string(brep, options, context);
     return *last.part;
   };
-  return mesh_read_part(options, context, read, first_look);
+  return mesh_read_part(options, context, read, look);
 }
 
 }  // namespace hexfeature

@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -77,12 +78,13 @@ struct Result {
   bool certified = false;
 };
 
-/// Called with a result that shows labels and feature shape as they are before the search repairs them: for a preview. May be empty.
-using FirstLook = std::function<void(const Result&)>;
+/// For a preview: called with a result that shows labels and feature shape of one solid (1-based), first as soon as there are some, before
+/// they are tried and repaired, then when they are final. A run that Options::stop_after ends goes on to the next solid. May be empty.
+using Look = std::function<void(std::shared_ptr<Result>, int solid, bool final)>;
 
 /// Read a part file (.step .stp .iges .igs .brep .brp .stl .obj .ply) and mesh it: the whole way. Throws MeshingError.
 Result mesh_file(const std::string& path, const Options& options, Context& context);
 /// Mesh a B-rep given as text (FreeCAD's shape.exportBrepToString()).
-Result mesh_brep_string(const std::string& brep, const Options& options, Context& context, const FirstLook& first_look = {});
+Result mesh_brep_string(const std::string& brep, const Options& options, Context& context, const Look& look = {});
 
 }  // namespace hexfeature

@@ -31,6 +31,36 @@ bool Run::is_new(const LabelledSurface& labels) {
   return seen_.insert(hash).second;
 }
 
+void Run::begin_solid(int solid) {
+  solid_ = solid;
+  shown_ = false;
+}
+
+void Run::show_first(const SurfaceMesh& mesh, const FeatureShape& shape) {
+  if (!look || shown_) return;
+  LabelResult labels;
+  labels.surface.mesh = mesh;
+  labels.surface.label.reserve(mesh.triangles.size());
+  for (const int chart : shape.cells.triangle_part) labels.surface.label.push_back(shape.charts[chart].label);
+  labels.shape = shape;
+  shown_ = true;
+  show(std::move(labels), false);
+}
+
+void Run::show_final() {
+  if (look) show(result.labels, true);
+}
+
+void Run::show(LabelResult labels, bool final) const {
+  // Not all of the result: who looks keeps it, and what has been made up to here may be large.
+  auto part = std::make_shared<Result>();
+  part->options = result.options;
+  part->rotation = result.rotation;
+  part->centre = result.centre;
+  part->labels = std::move(labels);
+  look(std::move(part), solid_, final);
+}
+
 void Run::begin(const std::string& step) {
   finish();
   step_ = step;

@@ -25,7 +25,14 @@ class Run {
   const Options& options;
   Context& context;
   Result& result;
-  FirstLook first_look;  ///< of whoever started the run; empty once it has been called
+  Look look;  ///< of whoever started the run; may be empty
+
+  /// What is shown from now on is of this solid.
+  void begin_solid(int solid);
+  /// Labels and feature shape of the present solid for whoever looks, unless the solid has been shown before.
+  void show_first(const SurfaceMesh& mesh, const FeatureShape& shape);
+  /// The same when they are final: those of `result`.
+  void show_final();
 
   /// False when these very labels on this very surface were noted before: what follows would be done twice.
   bool is_new(const LabelledSurface& labels);
@@ -40,6 +47,10 @@ class Run {
   void finish();
 
  private:
+  void show(LabelResult labels, bool final) const;
+
+  int solid_ = 1;
+  bool shown_ = false;
   std::set<std::uint64_t> seen_;  ///< hashes of labelled surfaces
   std::string step_;
   Context::Clock::time_point since_{};

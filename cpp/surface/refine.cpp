@@ -244,6 +244,7 @@ bool Refiner::flip_if_better(int h) {
 
 void Refiner::flip_all(Context& context) {
   const int n = 3 * mesh.triangle_count();
+  settled_ = true;
   for (int h = n - 1; h >= 0; --h)
     if (h < mesh.opposite[h]) queue(h);
   flip_queued(4 * n + 1000, context);
@@ -268,7 +269,10 @@ void Refiner::flip_queued(int limit, Context& context) {
     queued_[h] = 0;
     const int g = mesh.opposite[h];
     if (!flip_if_better(h)) continue;
-    if (++flips > limit) break;
+    if (++flips > limit) {
+      settled_ = false;
+      break;
+    }
     for (const int t : {h / 3, g / 3})
       for (int i = 3 * t; i < 3 * t + 3; ++i) queue(i);
   }
@@ -297,9 +301,10 @@ void Refiner::run(Context& context) {
         flip_queued(200, context);
       }
     }
-    if (splits > 0)
+    // Each split has flipped what it changed, as far as that went: all edges are looked at again only where it had to stop.
+    if (splits > 0 && !settled_)
       flip_all(context);
-    else if (level == 1.0)
+    else if (splits == 0 && level == 1.0)
       break;
   }
 }

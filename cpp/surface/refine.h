@@ -49,6 +49,7 @@ class Refiner {
   std::vector<char> planar_;  ///< per CAD face
   std::vector<int> stack_;
   std::vector<char> queued_;
+  bool settled_ = true;  ///< no flipping had to stop early
 };
 
 }  // namespace hexfeature

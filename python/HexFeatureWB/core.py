@@ -23,9 +23,12 @@ def problem():
 
 def advice(error):
     """What a user can do about a missing or unloadable extension; names this FreeCAD's own Python version."""
-    return (
-        "HexFeatureWB: the meshing program (hexfeature._core) cannot be loaded: %s.\n"
-        "FreeCAD runs Python %d.%d. Either run 'make build' in the workbench's folder with that Python, or install the package "
-        "'hexfeature' for it: %s -m pip install hexfeature"
-        % (error, sys.version_info[0], sys.version_info[1], "python%d.%d" % sys.version_info[:2])
-    )
+    try:
+        from .translate import tr
+    except ImportError:  # a Python without FreeCAD may ask, too
+        tr = str
+    return "HexFeatureWB: " + tr(
+        "the meshing program (hexfeature._core) cannot be loaded: %(error)s.\n"
+        "FreeCAD runs Python %(python)s. Either run 'make build' in the workbench's folder with that Python, or install the package "
+        "'hexfeature' for it: python%(python)s -m pip install hexfeature"
+    ) % {"error": error, "python": "%d.%d" % sys.version_info[:2]}

@@ -13,12 +13,14 @@ class Job(threading.Thread):
     `error` (MeshingError, whose kind is "cancelled" after `cancel()`; or another exception: a bug).
     """
 
-    def __init__(self, brep, options, wants_first_look=False):
+    def __init__(self, brep, options, wants_looks=False, after=None):
         super().__init__(name="HexFeatureWB", daemon=True)
         self.brep, self.options = brep, dict(options)
+        self._after = after  #: a Job that is waited for: it leaves the part that both need with the core
         self.result = self.error = None
-        self._wants_first_look = wants_first_look
-        self.first_look = None  #: if wanted, a Result with the stages labels and shape before the search repairs them, or None
+        self._wants_looks = wants_looks
+        #: if wanted: number of a solid -> (Result with the stages labels and shape, whether they are final), the newest; grows
+        self.looks = {}
         self.step, self.fraction = "", 0.0
         self.lines = []  #: of the log, in order; other threads may read it while it grows
         self.started_at = self.ended_at = None
@@ -30,10 +32,13 @@ class Job(threading.Thread):
         return self
 
     def run(self):
+        after, self._after = self._after, None
         try:
+            while after is not None and after.is_alive() and not self.was_cancelled:
+                after.join(0.01)
             self.result = core.load().mesh_brep(
                 self.brep, self.options, self._progress, self._log, self._cancelled.is_set,
-                self._take_first_look if self._wants_first_look else None
+                self._take_look if self._wants_looks else None
             )
         except BaseException as error:  # handed to whoever started the job
             self.error = error
@@ -57,8 +62,8 @@ class Job(threading.Thread):
             self.lines.append("%6.2f s  %s" % (self.seconds, step))
         self.step, self.fraction = step, fraction
 
-    def _take_first_look(self, result):
-        self.first_look = result
+    def _take_look(self, result, solid, final):
+        self.looks[solid] = result, final
 
     def _log(self, line):
         self.lines.append("%6.2f s  %s" % (self.seconds, line))

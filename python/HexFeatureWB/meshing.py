@@ -7,6 +7,7 @@ import FreeCAD
 from . import core, fem_mesh, mesh_object
 from .group_check import differing_groups
 from .source import names_of, shape_to_mesh
+from .translate import tr
 
 MeshingError = core.load().MeshingError
 
@@ -136,32 +137,29 @@ def _fill(mesh_obj, progress, cancelled):
     mesh_obj.NeedsRefresh = False
     mesh_obj.purgeTouched()
     for face, (found, ours) in report["groups_not_found_by_geometry"].items():
-        FreeCAD.Console.PrintWarning(
-            "HexFeatureWB: FreeCAD finds %d of the %d elements on %s by geometry; a load put there may miss some.\n"
-            % (found, ours, names["faces"](face))
-        )
+        FreeCAD.Console.PrintWarning("HexFeatureWB: " + tr(
+            "FreeCAD finds %(found)d of the %(all)d elements on %(face)s by geometry; a load put there may miss some."
+        ) % {"found": found, "all": ours, "face": names["faces"](face)} + "\n")
     return result
 
 
 def cancelled_error(step):
     """The MeshingError of a run that was given up outside the core."""
-    error = MeshingError(step + ": cancelled")
-    error.kind, error.step, error.reason, error.hint, error.cad_faces = "cancelled", step, "cancelled", "", []
-    return error
+    return _failure("cancelled", step, "cancelled", "")
 
 
 def building_error(step, caught):
     """The MeshingError of a mesh that the core has made and FreeCAD could not take; `caught`: what was raised."""
-    reason = "FreeCAD's mesh cannot be built: %s" % (str(caught) or type(caught).__name__)
-    error = MeshingError("%s: %s" % (step, reason))
-    error.kind, error.step, error.reason, error.cad_faces = "no_mesh", step, reason, []
-    error.hint = "close what needs memory, or take a larger element size" if isinstance(caught, MemoryError) else ""
-    return error
+    return _failure("no_mesh", step, "FreeCAD's mesh cannot be built: %s" % (str(caught) or type(caught).__name__),
+                    "close what needs memory, or take a larger element size" if isinstance(caught, MemoryError) else "")
 
 
 def usage(reason):
     """A MeshingError about an option."""
-    error = MeshingError("options: " + reason)
-    error.kind, error.step, error.reason, error.cad_faces = "usage", "options", reason, []
-    error.hint = "hexfeature mesh --help lists the options"
+    return _failure("usage", "options", reason, "hexfeature mesh --help lists the options")
+
+
+def _failure(kind, step, reason, hint):
+    error = MeshingError("%s: %s" % (step, reason))
+    error.kind, error.step, error.reason, error.hint, error.cad_faces = kind, step, reason, hint, []
     return error

@@ -129,20 +129,34 @@ class TestJob(unittest.TestCase):
         self.assertEqual((bad.result, bad.error.kind), (None, "usage"))
         self.assertEqual((given_up.result, given_up.error.kind), (None, "cancelled"))
 
-    def test_a_first_look_where_labels_have_to_be_repaired(self):
+    def test_looks_at_first_and_final_labels_of_each_solid(self):
+        import Part
         from HexFeatureWB.job import Job
 
-        tee, box, unasked = (
-            Job(shape.exportBrepToString(), {"size": size, "stop_after": "shape"}, wants_first_look=wanted).start()
-            for shape, size, wanted in (
-                (make_parts.pipe_tee(), 3.0, True), (make_parts.box(), 5.0, True), (make_parts.pipe_tee(), 3.0, False)))
-        for job in (tee, box, unasked):
+        class Recorded(Job):
+            def _take_look(self, result, solid, final):
+                super()._take_look(result, solid, final)
+                seen.append((solid, final, list(result.stage("labels")["label"]), len(result.stage("shape")["arcs"])))
+
+        def looks(shape, size, wanted=True):
+            seen.clear()
+            job = Recorded(shape.exportBrepToString(), {"size": size, "stop_after": "shape"}, wants_looks=wanted).start()
             job.join(60)
-        self.assertIsNone(box.first_look)
-        self.assertIsNone(unasked.first_look)
-        first, final = (list(r.stage("labels")["label"]) for r in (tee.first_look, tee.result))
-        self.assertNotEqual(first, final)
-        self.assertGreater(len(tee.first_look.stage("shape")["arcs"]), 12)
+            self.assertEqual(job.result.stopped_after, "shape")
+            return list(seen), job
+
+        seen = []
+        (first, final), job = looks(make_parts.pipe_tee(), 3.0)
+        self.assertEqual((first[:2], final[:2]), ((1, False), (1, True)))
+        self.assertNotEqual(first[2], final[2])  # they had to be repaired
+        self.assertEqual(final[2], list(job.result.stage("labels")["label"]))
+        self.assertGreater(first[3], 12)
+        self.assertEqual(looks(make_parts.pipe_tee(), 3.0, wanted=False)[0], [])
+        other = make_parts.box()
+        other.translate(FreeCAD.Vector(0, 50, 0))
+        two, job = looks(Part.makeCompound([make_parts.box(), other]), 5.0)
+        self.assertEqual([look[:2] for look in two], [(1, False), (1, True), (2, False), (2, True)])
+        self.assertTrue(job.looks[1][1] and job.looks[2][1])
 
 
 class TestForceOnARoundFace(DocumentTest):

@@ -30,7 +30,7 @@ def open_panel(part):
 
 def draw():
     FreeCADGui.ActiveDocument.ActiveView.redraw()
-    live(0.01)
+    live(0.0)
 
 
 def appear():
@@ -81,38 +81,46 @@ def parts_to_preview(folder):
 
 
 def preview():
-    """From a change of the size, with the panel at rest, to the drawn preview."""
+    """From the command to the drawn preview, and from a change of the size with the panel at rest."""
+    import FreeCAD
     import Part
 
-    say("| part | faces | feature lines and labels drawn after | of processor time | regions, lines |")
-    say("|---|---|---|---|---|")
-    slow = 0
+    say("| part | faces | drawn after the panel is asked for | final | drawn after another size | final | regions, lines |")
+    say("|---|---|---|---|---|---|---|")
+    slowest = [0.0, 0.0]
     with tempfile.TemporaryDirectory() as folder:
         parts = parts_to_preview(folder)
         for name, path, size in parts:
             shape = Part.Shape()
             shape.read(path)
             document, part = driver.show_part(shape)
-            panel = open_panel(part)
-            start, cpu, before, first = time.monotonic(), time.process_time(), panel.preview.stage, None
-            panel.size.set_value(size)
-            while panel.preview.busy:
-                live(0.005)
-                if first is None and panel.preview.stage is not before:
-                    draw()
-                    first, cpu = time.monotonic() - start, time.process_time() - cpu
-            draw()
-            seconds = time.monotonic() - start
-            cpu = cpu if first else time.process_time() - cpu
-            slow += (first or seconds) > 0.5
-            final = ", final %.2f s" % seconds if first and seconds - first > 0.1 else ""
-            say("| %s | %d | %.2f s%s | %.2f s | %s |" % (
-                name, len(shape.Faces), first or seconds, final, cpu, panel.preview_text.text()))
+            FreeCADGui.Selection.clearSelection()
+            start = time.monotonic()
+            task_panel.open_panel(part)
+            panel = task_panel.current
+            opened = until_drawn(panel, start, {})
+            before, start = dict(panel.preview.solids), time.monotonic()
+            panel.size.set_value(size * 0.99 if panel.size.value() == size else size)
+            changed = until_drawn(panel, start, before)
+            slowest = [max(slow, each[0]) for slow, each in zip(slowest, (opened, changed))]
+            say("| %s | %d | %.2f s | %.2f s | %.2f s | %.2f s | %s |" % (name, len(shape.Faces), *opened, *changed, panel.preview_text.text()))
             panel.reject()
-            import FreeCAD
-
             FreeCAD.closeDocument(document.Name)
-    say("%d of %d above 0.5 s" % (slow, len(parts)))
+    say("slowest of %d: %.2f s after the panel was asked for, %.2f s after another size" % (len(parts), *slowest))
+
+
+def until_drawn(panel, start, before):
+    """Seconds until every solid is drawn anew, and until what is drawn is final."""
+    first = None
+    while panel.preview.busy:
+        live(0.002)
+        now = panel.preview.solids
+        if first is None and now and all(shown is not before.get(solid) for solid, shown in now.items()):
+            draw()
+            first = time.monotonic() - start
+    draw()
+    seconds = time.monotonic() - start
+    return first or seconds, seconds
 
 
 def cancel():

@@ -20,7 +20,7 @@ class TestTaskPanel(GuiTest):
         document, part = driver.show_part(make_parts.connecting_rod(), "ConnectingRod")
         panel = self.open_panel(part)
         wait_until(lambda: not panel.preview.busy)
-        self.assertGreater(len(panel.preview.stage["arcs"]), 20)
+        self.assertGreater(len(panel.preview.stages[0]["arcs"]), 20)
         self.assertFalse(part.ViewObject.Visibility)  # its coloured picture stands there
         driver.say("preview of the connecting rod: %.2f s" % panel.preview.seconds)
         picture("panel-preview")
@@ -56,7 +56,7 @@ class TestTaskPanel(GuiTest):
         panel.preview.pause()
         shown = []
         ready = panel.preview._ready
-        panel.preview._ready = lambda job: (ready(job), shown.append((panel.preview.final, list(panel.preview.stage["label"]))))
+        panel.preview._ready = lambda job: (ready(job), shown.append((panel.preview.final, list(panel.preview.stages[0]["label"]))))
         panel.size.set_value(3.0)
         panel.preview._poll.setInterval(1)
         wait_until(lambda: not panel.preview.busy)
@@ -64,6 +64,28 @@ class TestTaskPanel(GuiTest):
         if len(shown) > 1:  # on a fast machine the repair may be over before anyone has looked
             self.assertFalse(shown[0][0])
             self.assertNotEqual(shown[0][1], shown[1][1])
+
+    def test_the_preview_shows_every_solid(self):
+        import Part
+
+        near, far = make_parts.box(), make_parts.bracket()
+        far.translate(FreeCAD.Vector(0, 100, 0))
+        document, part = driver.show_part(Part.makeCompound([near, far.Solids[0]]))
+        panel = self.open_panel(part)
+        wait_until(lambda: not panel.preview.busy)
+        both = panel.preview.stages
+        ends = [(stage["points"][:, 1].min(), stage["points"][:, 1].max()) for stage in both]
+        self.assertEqual(len(both), 2)
+        self.assertGreater(ends[1][0], ends[0][1])
+        self.assertIn("%d regions" % sum(len(stage["chart_label"]) for stage in both), panel.preview_text.text())
+        self.assertFalse(part.ViewObject.Visibility)
+        driver.look()
+        picture("panel-preview-solids")
+        panel.solid.setCurrentIndex(2)
+        wait_until(lambda: not panel.preview.busy)
+        self.assertEqual(len(panel.preview.stages), 1)
+        self.assertGreater(panel.preview.stages[0]["points"][:, 1].min(), ends[0][1])
+        self.assertEqual(panel.preview._root.getNumChildren(), 2)  # how it is picked, one solid
 
     def test_cancel_at_any_step(self):
         document, part = driver.show_part(make_parts.crank_shaft())
@@ -142,7 +164,7 @@ class TestTaskPanel(GuiTest):
             wait_until(lambda: panel.job is None)
         finally:
             run.FemMeshBuilder = fem_mesh.FemMeshBuilder
-        self.assertEqual(shown, [3])  # how it is picked, faces, lines
+        self.assertEqual(shown, [2])  # how it is picked, the mesh
         self.assertEqual(panel.preview._root.getNumChildren(), 1)
         self.assertTrue(panel.mesh.ViewObject.Visibility)
 

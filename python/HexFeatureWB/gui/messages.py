@@ -1,14 +1,14 @@
 # HexFeatureWB - LGPL-2.1-or-later
-"""What the window says: failures with their reason and what to try, results, names of steps."""
+"""What the window says: failures with their reason and what to try, results."""
 import html
 import os
-import re
 
 import FreeCADGui
 from PySide import QtCore, QtGui
 
 from ..translate import tr
 from ..view_provider import ICONS
+from .program_words import in_words, log_in_words, step_title, step_titles  # noqa: F401
 from .widgets import choice_title, number
 
 WAIT = QtCore.Qt.WaitCursor
@@ -43,61 +43,6 @@ def tell(text, details=""):
 
 
 tell.last = ""
-
-
-def step_titles():
-    """Step of the program -> the same in the user's words."""
-    return {
-        "read": tr("reading the part"),
-        "frame": tr("finding directions"),
-        "surface": tr("surface triangles"),
-        "label": tr("labels"),
-        "labels": tr("labels"),
-        "shape": tr("feature lines"),
-        "polycube": tr("polycube"),
-        "lattice": tr("unit cubes"),
-        "fit": tr("fitting to the part"),
-        "sheet": tr("layers under smooth borders"),
-        "sheets": tr("layers under smooth borders"),
-        "smooth": tr("smoothing"),
-        "quality": tr("measuring"),
-        "certificate": tr("proving every element"),
-        "second order": tr("mid-side nodes"),
-        "tet-split": tr("from tetrahedra"),
-        "tetrahedra": tr("tetrahedra"),
-        "write": tr("writing"),
-        "build": tr("building FreeCAD's mesh"),
-        "options": tr("options"),
-        "": tr("starting"),
-    }
-
-
-def step_title(step):
-    """One step in the user's words; a new one by its name."""
-    return step_titles().get(step, step)
-
-
-#: what the core puts into its messages: numbers and labels, or else names in quotes
-VALUES = (r"[+-][XYZ]\b|\d[\d.]*(?:e[+-]?\d+)?", r"(?<=')[^']*(?=')")
-
-
-def in_words(message):
-    """A reason or hint of the core in the user's language, or as it is. Takes it apart as packaging/core_messages.py does."""
-    return ": ".join(_piece_in_words(piece) for piece in re.split(r": (?![^(]*\))", message))
-
-
-def _piece_in_words(piece):
-    words = tr(piece)
-    if words != piece or not piece:
-        return words
-    for values in VALUES:
-        found = re.findall(values, piece)
-        count = iter(range(1, len(found) + 1))
-        template = re.sub(values, lambda _: "%%%d" % next(count), piece)
-        words = tr(template)
-        if words != template:
-            return re.sub(r"%(\d)", lambda place: found[int(place[1]) - 1], words)
-    return piece
 
 
 def batch_words(column, value):

@@ -11,7 +11,32 @@ from . import messages, scene
 
 POLL, PATIENCE = 10, 250  #: ms: looking for the result; waiting for the user to end turning a knob
 
+MESH = 0  #: stands for the mesh where others have the number of a solid
 MESH_COLOUR = (1.0, 0.7, 0.0)  #: as FreeCAD's own meshes
+
+
+def reading_job(brep, size):
+    """A worker that only reads the part; any size that fits it will do."""
+    return Job(brep, {"size": size, "stop_after": "read"}, wants_looks=True)
+
+
+class Shown:
+    """Labels and feature lines of one solid."""
+
+    def __init__(self, look):
+        self.look = look
+        result, self.final = look
+        self.stage = result.stage("shape")
+        self.stage["label"] = result.stage("labels")["label"]
+
+    def nodes(self, lines, labels):
+        points = np.asarray(self.stage["points"])
+        if labels:
+            yield scene.patches(points, np.asarray(self.stage["triangles"]), np.asarray(self.stage["label"]), LABEL_COLOURS)
+        if lines:
+            axis = [a if 0 <= a < 3 else 3 for a in self.stage["arc_axis"]]
+            dark = [tuple(0.55 * c for c in colour) for colour in AXIS_COLOURS] + [(0.1, 0.1, 0.1)]
+            yield scene.lines(*scene.compact_lines(points, self.stage["arcs"]), 4.0, axis, dark)
 
 
 class Preview(QtCore.QObject):
@@ -19,8 +44,8 @@ class Preview(QtCore.QObject):
 
     `parent`, a widget, ends it when it dies.
 
-    said(text): called with a line for the user about what is shown; ready(job): called when a preview is drawn or failed. Where the
-    labels have to be repaired, which may take seconds, it is drawn twice: `final` is False after the first time.
+    said(text): called with a line for the user about what is shown; ready(job): called when something is drawn or failed. Each solid is
+    drawn as soon as it has labels, and again when they are final, which may take seconds where they have to be repaired.
     """
 
     def __init__(self, document, said, ready=None, parent=None):
@@ -32,19 +57,21 @@ class Preview(QtCore.QObject):
         if self._graph:
             self._graph.addChild(self._root)
         self._job = self._next = None
-        self.stage, self.seconds, self.final = None, None, False
+        self.solids = {}  #: number of a solid -> Shown
+        self._groups = {}  # number of a solid, or MESH -> its node
+        self.seconds, self.final = None, False
         self._wait, self._poll = QtCore.QTimer(self), QtCore.QTimer(self)
         self._wait.setSingleShot(True)
         self._wait.timeout.connect(self._start)
         self._poll.timeout.connect(self._look)
         self.lines, self.labels = True, True
 
-    def show(self, brep, options):
+    def show(self, brep, options, reading=None):
         """Compute for these options, at once or, while a knob is being turned, when it has come to rest; an older computation is given
-        up."""
+        up. reading: a worker that reads this part at the moment, to be waited for."""
         turning = self.busy
         self.pause()
-        self._next = brep, dict(options, stop_after="shape")
+        self._next = Job(brep, dict(options, stop_after="shape"), wants_looks=True, after=reading)
         self._wait.start(PATIENCE if turning else 0)
 
     def show_mesh(self, points, quads):
@@ -52,16 +79,13 @@ class Preview(QtCore.QObject):
         self.clear()
         if self._graph:
             points, quads = scene.compact(points, quads)
-            self._root.addChild(scene.faces(points, quads, np.zeros(len(quads), dtype=int), [MESH_COLOUR]))
-            self._root.addChild(scene.lines(points, scene.sides(quads), 1.0))
+            group = self._group(MESH)
+            group.addChild(scene.faces(points, quads, np.zeros(len(quads), dtype=int), [MESH_COLOUR]))
+            group.addChild(scene.lines(points, scene.sides(quads), 1.0))
 
     def remove(self):
         """Take away what is drawn and give up what is computed."""
-        self._wait.stop()
-        self._poll.stop()
-        if self._job:
-            self._job.cancel()
-        self._job = None
+        self.pause()
         if self._graph:
             self._graph.removeChild(self._root)
         self._graph = None
@@ -77,10 +101,10 @@ class Preview(QtCore.QObject):
     def clear(self):
         """Nothing is drawn until the next show()."""
         self.pause()
-        self.stage = None
-        self._wipe()
+        self._forget()
 
-    def _wipe(self):
+    def _forget(self):
+        self.solids, self._groups = {}, {}
         while self._root.getNumChildren() > 1:
             self._root.removeChild(1)
 
@@ -88,48 +112,61 @@ class Preview(QtCore.QObject):
     def busy(self):
         return self._wait.isActive() or self._job is not None
 
+    @property
+    def stages(self):
+        """The stage "shape", with the labels, of each solid that is drawn."""
+        return [self.solids[solid].stage for solid in sorted(self.solids)]
+
     def set_parts(self, lines, labels):
         self.lines, self.labels = lines, labels
-        self._draw()
+        for solid in self.solids:
+            self._draw(solid)
 
     def _start(self):
-        self._job, self._first_drawn = Job(*self._next, wants_first_look=True).start(), False
+        self._job = self._next.start()
         self._poll.start(POLL)
 
     def _look(self):
         job = self._job
         if job is None:
             return
-        if job.is_alive():
-            if job.first_look is not None and not self._first_drawn:
-                self._first_drawn = True
-                self._show_result(job.first_look, final=False)
-                self._ready(job)
-            return
-        self._poll.stop()
-        self._job = None
-        if job.error is not None:
-            self.stage = None
-            self._draw()
+        alive = job.is_alive()
+        looks = {solid: look for solid, look in list(job.looks.items()) if solid not in self.solids or self.solids[solid].look is not look}
+        if not alive:
+            self._poll.stop()
+            self._job = None
+        if not alive and job.error is not None:
+            self._forget()
             self._said(messages.in_words(getattr(job.error, "reason", str(job.error))))
         else:
-            self.seconds = job.seconds
-            self._show_result(job.result, final=True)
+            for solid, look in looks.items():
+                self.solids[solid] = Shown(look)
+                self._draw(solid)
+            if alive and not looks:
+                return
+            if not alive:  # what is drawn of an earlier run stays until there is something in its place
+                for solid in set(self.solids) - set(job.looks):
+                    self._take_away(solid)
+            self.seconds, self.final = job.seconds, not alive
         self._ready(job)
 
-    def _show_result(self, result, final):
-        self.stage, self.final = result.stage("shape"), final
-        self.stage["label"] = result.stage("labels")["label"]
-        self._draw()
+    def _take_away(self, solid):
+        self.solids.pop(solid, None)
+        group = self._groups.pop(solid, None)
+        if group is not None:
+            self._root.removeChild(group)
 
-    def _draw(self):
-        self._wipe()
-        if self.stage is None or not self._graph:
+    def _group(self, solid):
+        if solid not in self._groups:
+            self._groups[solid] = scene.group()
+            self._root.addChild(self._groups[solid])
+        return self._groups[solid]
+
+    def _draw(self, solid):
+        if not self._graph:
             return
-        points = np.asarray(self.stage["points"])
-        if self.labels:
-            self._root.addChild(scene.faces(points, self.stage["triangles"], self.stage["label"], LABEL_COLOURS, flat=False))
-        if self.lines:
-            axis = [a if 0 <= a < 3 else 3 for a in self.stage["arc_axis"]]
-            dark = [tuple(0.55 * c for c in colour) for colour in AXIS_COLOURS] + [(0.1, 0.1, 0.1)]
-            self._root.addChild(scene.lines(points, self.stage["arcs"], 4.0, axis, dark))
+        self._take_away(MESH)
+        group = self._group(solid)
+        group.removeAllChildren()
+        for node in self.solids[solid].nodes(self.lines, self.labels):
+            group.addChild(node)

@@ -25,6 +25,13 @@ def compact(points, polygons):
     return np.asarray(points)[used], inverse.reshape(np.shape(polygons))
 
 
+def compact_lines(points, polylines):
+    """The same for polylines, lists of numbers of points."""
+    used, inverse = np.unique(np.concatenate(polylines) if polylines else np.zeros(0, dtype=int), return_inverse=True)
+    ends = np.cumsum([len(line) for line in polylines])[:-1]
+    return np.asarray(points)[used], [line.tolist() for line in np.split(inverse, ends)] if polylines else []
+
+
 def sides(quads):
     """(n, 2) the sides of quadrilaterals, each once."""
     ends = np.sort(np.stack([quads, np.roll(quads, -1, axis=1)], axis=2).reshape(-1, 2), axis=1)
@@ -43,32 +50,58 @@ def _indices(rows):
     return np.column_stack([rows, np.full(len(rows), -1)]).ravel().tolist() if len(rows) else []
 
 
-def faces(points, polygons, colour_of, colours, flat=True):
-    """Polygons (n, 3 or 4), polygon k in colours[colour_of[k]]; flat: one normal a polygon."""
-    root = coin.SoSeparator()
-    hints = coin.SoShapeHints()
-    hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
-    hints.shapeType = coin.SoShapeHints.UNKNOWN_SHAPE_TYPE
-    hints.creaseAngle = 0.0 if flat else 0.5
+def faces(points, polygons, colour_of, colours):
+    """Polygons (n, 3 or 4), polygon k in colours[colour_of[k]], each with one normal."""
+    root = _lit(0.0)
     material = coin.SoMaterial()
     material.diffuseColor.setValues(0, len(colours), np.asarray(colours, dtype=float).tolist())
     binding = coin.SoMaterialBinding()
     binding.value = coin.SoMaterialBinding.PER_FACE_INDEXED
-    offset = coin.SoPolygonOffset()  # behind the lines that are drawn on it
-    shape = coin.SoIndexedFaceSet()
-    index = _indices(polygons)
-    shape.coordIndex.setValues(0, len(index), index)
-    shape.coordIndex.setNum(len(index))
+    shape = _face_set(polygons)
     chosen = np.asarray(colour_of, dtype=int).tolist()
     shape.materialIndex.setValues(0, len(chosen), chosen)
     shape.materialIndex.setNum(len(chosen))
+    for node in (material, binding, _coordinates(points), shape):
+        root.addChild(node)
+    return root
+
+
+def patches(points, triangles, colour_of, colours):
+    """Triangles (n, 3), triangle k in colours[colour_of[k]], smooth where they meet at small angles; drawn faster than by `faces`: Coin
+    sends a set of one colour as a whole."""
+    root = _lit(0.5)
+    root.addChild(_coordinates(points))
+    for number in np.unique(colour_of):
+        material = coin.SoMaterial()
+        material.diffuseColor = tuple(map(float, colours[number]))
+        root.addChild(material)
+        root.addChild(_face_set(triangles[colour_of == number]))
+    return root
+
+
+def _lit(crease_angle):
+    """What stands before faces."""
+    root = coin.SoSeparator()
+    hints = coin.SoShapeHints()
+    hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
+    hints.shapeType = coin.SoShapeHints.UNKNOWN_SHAPE_TYPE
+    hints.creaseAngle = crease_angle
     # FreeCAD's headlight alone leaves faces that are seen aslant dark, and colours are to be read here.
     lamp = coin.SoDirectionalLight()
     lamp.direction = (-0.4, 0.5, -0.8)
     lamp.intensity = 0.45
-    for node in (lamp, hints, material, binding, offset, _coordinates(points), shape):
+    offset = coin.SoPolygonOffset()  # behind the lines that are drawn on it
+    for node in (lamp, hints, offset):
         root.addChild(node)
     return root
+
+
+def _face_set(polygons):
+    shape = coin.SoIndexedFaceSet()
+    index = _indices(polygons)
+    shape.coordIndex.setValues(0, len(index), index)
+    shape.coordIndex.setNum(len(index))
+    return shape
 
 
 def lines(points, polylines, width, colour_of=None, colours=((0.08, 0.08, 0.10),)):
@@ -98,6 +131,10 @@ def lines(points, polylines, width, colour_of=None, colours=((0.08, 0.08, 0.10),
     for node in (light, style, material, binding, _coordinates(points), shape):
         root.addChild(node)
     return root
+
+
+def group():
+    return coin.SoSeparator()
 
 
 def unpickable(*nodes):

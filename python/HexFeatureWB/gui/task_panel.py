@@ -10,7 +10,7 @@ from .. import mesh_object, meshing
 from ..source import names_of, shape_to_mesh, solids_of
 from ..translate import tr
 from . import messages, record, settings
-from .preview import Preview
+from .preview import Preview, reading_job
 from .run import BUILDING, Run
 from .widgets import Fold, LengthEdit, OptionWidget, Words, nice, number, title_of
 
@@ -27,6 +27,7 @@ class HexMeshPanel:
         self.source, self.mesh, self.document = source, mesh, source.Document
         self.run = None
         self._hidden = []  # views of part and mesh, while the preview stands in their place
+        self._reading = self._begin_reading(mesh.Solid if mesh else solid)
         self.form = self._build(mesh.Solid if mesh else solid)
         self.run = Run(self.form, self._looked, self._ended)
         self.preview = Preview(self.document, self._preview_says, self._preview_ready, self.form)
@@ -37,6 +38,23 @@ class HexMeshPanel:
     def job(self):
         """The run that goes on, or None."""
         return self.run.job if self.run else None
+
+    def _begin_reading(self, solid):
+        """A worker that reads the part while the panel is made, which takes as long: the core keeps it for the first preview. None where
+        there is nothing to read, which the preview will say."""
+        try:
+            brep = shape_to_mesh(self.source, min(solid, len(solids_of(self.source)))).exportBrepToString()
+        except meshing.MeshingError:
+            return None
+        return reading_job(brep, self._length() / 20).start()
+
+    def _first_size(self):
+        """That of the mesh, or one for about 3000 elements, as the core chooses."""
+        size = float(self.mesh.ElementSize.Value) if self.mesh else 0.0
+        return size if size > 0 else nice((self._volume / 3000) ** (1 / 3)) or nice(self._length() / 20)
+
+    def _length(self):
+        return max(self.source.Shape.BoundBox.DiagonalLength, 1e-6)
 
     # ---- what is on it
 
@@ -76,9 +94,7 @@ class HexMeshPanel:
         return form
 
     def _build_size(self, grid):
-        self._volume = sum(s.Volume for s in solids_of(self.source))
-        length = max(self.source.Shape.BoundBox.DiagonalLength, 1e-6)
-        self._range = length / 400, length / 4
+        self._range = self._length() / 400, self._length() / 4
         self.size = LengthEdit("size", self._size_typed)
         self.slider = QtGui.QSlider(QtCore.Qt.Horizontal)
         self.slider.setObjectName("size_slider")
@@ -86,9 +102,8 @@ class HexMeshPanel:
         self.slider.setToolTip(tr("Fine elements on the left, coarse ones on the right"))
         self.estimate = QtGui.QLabel()
         self.estimate.setObjectName("estimate")
-        start = float(self.mesh.ElementSize.Value) if self.mesh else 0.0
-        if start <= 0:  # about 3000 elements, as the core chooses
-            start = nice((self._volume / 3000) ** (1 / 3)) or nice(length / 20)
+        self._volume = sum(s.Volume for s in solids_of(self.source))
+        start = self._first_size()
         self.size.set_value(start)
         self.size.set_step(nice(start / 10))
         self._slide_to(start)
@@ -200,8 +215,9 @@ class HexMeshPanel:
             self.preview_text.setText("")
             return
         self.preview_text.setText(tr("looking at the part ..."))
+        reading, self._reading = self._reading, None
         try:
-            self.preview.show(self._shape().exportBrepToString(), self.chosen())
+            self.preview.show(self._shape().exportBrepToString(), self.chosen(), reading)
         except meshing.MeshingError as error:
             self._preview_says(messages.in_words(error.reason))
 
@@ -209,7 +225,7 @@ class HexMeshPanel:
         self.preview.set_parts(self.show_lines.isChecked(), self.show_labels.isChecked())
         for check in (self.show_lines, self.show_labels):
             settings.set_switch(check.objectName(), check.isChecked())
-        if self.preview.stage is None or not (self.show_lines.isChecked() or self.show_labels.isChecked()):
+        if not self.preview.solids or not (self.show_lines.isChecked() or self.show_labels.isChecked()):
             self._ask_preview()
         else:
             self._preview_ready(None)
@@ -218,12 +234,12 @@ class HexMeshPanel:
         self.preview_text.setText(text)
 
     def _preview_ready(self, job):
-        stage = self.preview.stage
-        if stage is None:
+        stages = self.preview.stages
+        if not stages:
             self._show_part()
             return
-        text = tr("%d regions, %d feature lines") if self.preview.final else tr("%d regions, %d feature lines so far, being repaired ...")
-        self.preview_text.setText(text % (len(stage["chart_label"]), len(stage["arcs"])))
+        text = tr("%d regions, %d feature lines") if self.preview.final else tr("%d regions, %d feature lines so far, being tried ...")
+        self.preview_text.setText(text % (sum(len(stage["chart_label"]) for stage in stages), sum(len(stage["arcs"]) for stage in stages)))
         if self.show_labels.isChecked():
             self._hide_part()
         else:
@@ -295,7 +311,7 @@ class HexMeshPanel:
         lines = job.lines[self._shown_lines:]
         self._shown_lines += len(lines)
         if lines:
-            self.log.appendPlainText("\n".join(lines))
+            self.log.appendPlainText("\n".join(map(messages.log_in_words, lines)))
 
     def _take(self, job):
         """Put the finished mesh into the document, by the line that the macro recorder sees."""
