@@ -18,8 +18,8 @@ SHOWN_PYTHON = ("HexFeatureWB/exporting.py", "HexFeatureWB/fem_mesh.py", "HexFea
                 "hexfeature/errors.py", "hexfeature/formats.py")
 REASONS = ("usage", "_bad_input", "make_error", "system_error", "ValueError", "RuntimeError", "_failure")
 
-TOKEN = re.compile(r'(?P<text>"(?:[^"\\\n]|\\.)*")|(?P<comment>//[^\n]*|/\*.*?\*/)|(?P<line>^[ \t]*#[^\n]*)|(?P<char>\'(?:[^\'\\\n]|\\.)*\')'
-                   r"|(?P<other>\w+|::|<<|\+\+|->|[^\s\w])", re.DOTALL | re.MULTILINE)
+TOKEN = re.compile(r'(?P<text>"(?:[^"\\\n]|\\.)*")|(?P<comment>//[^\n]*|/\*.*?\*/)|(?P<line>^[ \t]*#[^\n]*)'
+                   r"|(?P<char>'(?:[^'\\\n]|\\.)*')|(?P<other>\w+|::|<<|\+\+|->|[^\s\w])", re.DOTALL | re.MULTILINE)
 WORDS = re.compile(r"[a-z]\S* .*[a-z]|[a-z].* \S*[a-z]", re.IGNORECASE)
 PIECES = re.compile(r": (?![^(]*\))")
 OPEN, CLOSE = "([{", ")]}"
@@ -45,21 +45,24 @@ def pieces(message):
     for piece in PIECES.split(message):
         count = iter(range(1, 10))
         piece = re.sub(VALUE, lambda _: "%%%d" % next(count), piece.strip(" "))
-        if " " in re.sub(r"%[\d*]\w*", "", piece).strip(" ,;()"):
+        bare = re.sub(r"%[\d*]\w*", "", piece).strip(" ,;()")
+        if " " in bare or "%" in piece and len(bare) > 4:
             yield piece
 
 
 # ---- C++
 
 def _of_cpp(source):
-    """The messages of a C++ source: every sum of texts and values in which a text has two words."""
+    """The messages of a C++ source: every sum of texts and values in which a text has two words, or that is logged."""
     tokens = [m for m in TOKEN.finditer(source) if m.lastgroup in ("text", "other", "char")]
     kinds, words = [m.lastgroup for m in tokens], [m[0] for m in tokens]
     done = -1
     for at, kind in enumerate(kinds):
-        if at <= done or kind != "text" or not WORDS.search(words[at][1:-1]):
+        if at <= done or kind != "text":
             continue
         start, end = _borders(words, at)
+        if not WORDS.search(words[at][1:-1]) and words[start - 2:start] != ["log", "("]:
+            continue
         done = end - 1
         if start > 1 and words[start - 1] == "," and words[start - 2] in ("true", "false"):
             continue  # an option's help, which is collected elsewhere

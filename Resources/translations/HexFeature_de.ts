@@ -2,6 +2,257 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
   <context>
+    <name>App::Property</name>
+    <message>
+      <source>1: 8-node hexahedra, 2: 20-node hexahedra</source>
+      <translation>1: Hexaeder mit 8 Knoten, 2: mit 20 Knoten</translation>
+    </message>
+    <message>
+      <source>Beta</source>
+      <translation>Beta</translation>
+    </message>
+    <message>
+      <source>CAD edges that mesh edges follow: sharp ones, or all</source>
+      <translation>CAD-Kanten, denen Netzkanten folgen: scharfe oder alle</translation>
+    </message>
+    <message>
+      <source>Capture</source>
+      <translation>Kanten im Netz</translation>
+    </message>
+    <message>
+      <source>Colour Bar</source>
+      <translation>Farbskala</translation>
+    </message>
+    <message>
+      <source>Crease Angle</source>
+      <translation>Knickwinkel</translation>
+    </message>
+    <message>
+      <source>Cut Axis</source>
+      <translation>Schnittachse</translation>
+    </message>
+    <message>
+      <source>Cut Flip</source>
+      <translation>Andere Schnittseite</translation>
+    </message>
+    <message>
+      <source>Cut Position</source>
+      <translation>Schnittlage</translation>
+    </message>
+    <message>
+      <source>Element Size</source>
+      <translation>Elementgröße</translation>
+    </message>
+    <message>
+      <source>Feature Line Nodes</source>
+      <translation>Knoten der Merkmalslinien</translation>
+    </message>
+    <message>
+      <source>Feature Lines</source>
+      <translation>Merkmalslinien</translation>
+    </message>
+    <message>
+      <source>Hex Count</source>
+      <translation>Anzahl Hexaeder</translation>
+    </message>
+    <message>
+      <source>Labels</source>
+      <translation>Richtungen</translation>
+    </message>
+    <message>
+      <source>Largest Deviation</source>
+      <translation>Größter Abstand</translation>
+    </message>
+    <message>
+      <source>Made Of</source>
+      <translation>Gemacht aus</translation>
+    </message>
+    <message>
+      <source>Mean Scaled Jacobian</source>
+      <translation>Mittlere skalierte Jacobi-Det.</translation>
+    </message>
+    <message>
+      <source>Memory Limit</source>
+      <translation>Speichergrenze</translation>
+    </message>
+    <message>
+      <source>Method</source>
+      <translation>Verfahren</translation>
+    </message>
+    <message>
+      <source>Method Used</source>
+      <translation>Benutztes Verfahren</translation>
+    </message>
+    <message>
+      <source>Min Scaled Jacobian</source>
+      <translation>Kleinste skalierte Jacobi-Det.</translation>
+    </message>
+    <message>
+      <source>Minimum Layers</source>
+      <translation>Schichten mindestens</translation>
+    </message>
+    <message>
+      <source>Needs Refresh</source>
+      <translation>Muss erneuert werden</translation>
+    </message>
+    <message>
+      <source>Order</source>
+      <translation>Elementordnung</translation>
+    </message>
+    <message>
+      <source>Part</source>
+      <translation>Teil</translation>
+    </message>
+    <message>
+      <source>Report</source>
+      <translation>Bericht</translation>
+    </message>
+    <message>
+      <source>Seconds</source>
+      <translation>Sekunden</translation>
+    </message>
+    <message>
+      <source>Sheets</source>
+      <translation>O-Gitter-Schichten</translation>
+    </message>
+    <message>
+      <source>Show Below</source>
+      <translation>Zeigen unter</translation>
+    </message>
+    <message>
+      <source>Smoothing Rounds</source>
+      <translation>Glättungsrunden</translation>
+    </message>
+    <message>
+      <source>Solid</source>
+      <translation>Körper</translation>
+    </message>
+    <message>
+      <source>Threads</source>
+      <translation>Threads</translation>
+    </message>
+    <message>
+      <source>Time Limit</source>
+      <translation>Zeitgrenze</translation>
+    </message>
+    <message>
+      <source>at most so many rounds of the paper's step 3-7b</source>
+      <translation>höchstens so viele Runden von Schritt 3-7b der Veröffentlichung</translation>
+    </message>
+    <message>
+      <source>degrees; STL, OBJ and PLY surfaces are cut into faces at sharper creases</source>
+      <translation>Grad; STL-, OBJ- und PLY-Oberflächen werden an schärferen Knicken in Flächen zerlegt</translation>
+    </message>
+    <message>
+      <source>element size in the part's unit; 0 chooses one from the part's volume</source>
+      <translation>Elementgröße in der Einheit des Teils; 0 wählt eine nach dem Volumen</translation>
+    </message>
+    <message>
+      <source>in Quality: cut the mesh open across this axis</source>
+      <translation>in Quality: das Netz quer zu dieser Achse aufschneiden</translation>
+    </message>
+    <message>
+      <source>in Quality: draw the colour scale</source>
+      <translation>in Quality: die Farbskala zeichnen</translation>
+    </message>
+    <message>
+      <source>in Quality: draw the feature lines on the mesh</source>
+      <translation>in Quality: die Merkmalslinien auf das Netz zeichnen</translation>
+    </message>
+    <message>
+      <source>in Quality: show only elements of a scaled Jacobian below this; 1: all</source>
+      <translation>in Quality: nur Elemente mit kleinerer skalierter Jacobi-Determinante zeigen; 1: alle</translation>
+    </message>
+    <message>
+      <source>in Quality: show the other side of the cut</source>
+      <translation>in Quality: die andere Seite des Schnitts zeigen</translation>
+    </message>
+    <message>
+      <source>in Quality: where the cut is, of the mesh's extent</source>
+      <translation>in Quality: wo der Schnitt liegt, in Prozent der Ausdehnung des Netzes</translation>
+    </message>
+    <message>
+      <source>insert O-grid sheets where block borders lie on smooth surface</source>
+      <translation>O-Gitter-Schichten einfügen, wo Blockränder auf glatter Oberfläche liegen</translation>
+    </message>
+    <message>
+      <source>labeller: on CAD regions, or the paper's on triangles</source>
+      <translation>Richtungen: auf CAD-Gebieten oder, wie in der Veröffentlichung, auf Dreiecken</translation>
+    </message>
+    <message>
+      <source>largest distance of a boundary node from its CAD face, edge or vertex</source>
+      <translation>größter Abstand eines Randknotens von seiner CAD-Fläche, -Kante oder -Ecke</translation>
+    </message>
+    <message>
+      <source>least number of elements along every block edge</source>
+      <translation>kleinste Zahl von Elementen längs jeder Blockkante</translation>
+    </message>
+    <message>
+      <source>mean scaled Jacobian</source>
+      <translation>mittlere skalierte Jacobi-Determinante</translation>
+    </message>
+    <message>
+      <source>megabytes of memory for the whole run; 0 sets no limit</source>
+      <translation>Megabyte Speicher für den ganzen Lauf; 0: keine Grenze</translation>
+    </message>
+    <message>
+      <source>meshing method; auto tries them in order</source>
+      <translation>Verfahren; auto versucht sie der Reihe nach</translation>
+    </message>
+    <message>
+      <source>method that made the mesh</source>
+      <translation>Verfahren, mit dem das Netz gemacht wurde</translation>
+    </message>
+    <message>
+      <source>nodes of the mesh edges on feature lines, two an edge</source>
+      <translation>Knoten der Netzkanten auf Merkmalslinien, zwei je Kante</translation>
+    </message>
+    <message>
+      <source>number of hexahedra</source>
+      <translation>Anzahl der Hexaeder</translation>
+    </message>
+    <message>
+      <source>of a part with several solids, the one to mesh; 0: all of them</source>
+      <translation>bei einem Teil mit mehreren Körpern der, der vernetzt wird; 0: alle</translation>
+    </message>
+    <message>
+      <source>part and options that the mesh was made of</source>
+      <translation>Teil und Optionen, aus denen das Netz gemacht wurde</translation>
+    </message>
+    <message>
+      <source>scaled Jacobian of the worst element, 1 is best</source>
+      <translation>skalierte Jacobi-Determinante des schlechtesten Elements, 1 ist am besten</translation>
+    </message>
+    <message>
+      <source>seconds for the whole run; 0 sets no limit</source>
+      <translation>Sekunden für den ganzen Lauf; 0 setzt keine Grenze</translation>
+    </message>
+    <message>
+      <source>speed of the paper's smoothing of degrees of adaptation, equation (1)</source>
+      <translation>Rate, mit der die Veröffentlichung die Anpassungsgrade glättet, Gleichung (1)</translation>
+    </message>
+    <message>
+      <source>the part or an option has changed since the mesh was made</source>
+      <translation>das Teil oder eine Option hat sich seit dem Vernetzen geändert</translation>
+    </message>
+    <message>
+      <source>the part that is meshed</source>
+      <translation>das Teil, das vernetzt wird</translation>
+    </message>
+    <message>
+      <source>the whole report as JSON</source>
+      <translation>der ganze Bericht als JSON</translation>
+    </message>
+    <message>
+      <source>time that meshing took</source>
+      <translation>Zeit, die das Vernetzen brauchte</translation>
+    </message>
+    <message>
+      <source>worker threads; the mesh does not depend on it</source>
+      <translation>Arbeits-Threads; das Netz hängt nicht davon ab</translation>
+    </message>
+  </context>
+  <context>
     <name>HexFeature</name>
     <message>
       <source>%(count)s hexahedra in %(seconds).1f s (%(method)s)
@@ -38,20 +289,52 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>%1 Elemente bleiben umgestülpt oder gefaltet</translation>
     </message>
     <message>
-      <source>%1 must be a number, a text, true or false</source>
-      <translation>%1 muss eine Zahl, ein Text, wahr oder falsch sein</translation>
+      <source>%1 hexahedra</source>
+      <translation>%1 Hexaeder</translation>
+    </message>
+    <message>
+      <source>%1 refused</source>
+      <translation>%1 abgelehnt</translation>
+    </message>
+    <message>
+      <source>%1 sites, %2 expansions, %3 label sets scored, %4 filled</source>
+      <translation>%1 Gebiete, %2 Schritte, %3 Belegungen bewertet, %4 gefüllt</translation>
+    </message>
+    <message>
+      <source>%1 stray face(s) beside the solid are left out</source>
+      <translation>%1 lose Fläche(n) neben dem Festkörper bleiben weg</translation>
+    </message>
+    <message>
+      <source>%1 tips cut</source>
+      <translation>%1 Spitzen abgeschnitten</translation>
+    </message>
+    <message>
+      <source>%1 triangles, %2 tetrahedra, worst %3, inverted %4</source>
+      <translation>%1 Dreiecke, %2 Tetraeder, schlechtestes %3, umgestülpt %4</translation>
+    </message>
+    <message>
+      <source>%1, charts %2</source>
+      <translation>%1, Bereiche %2</translation>
     </message>
     <message>
       <source>%d regions, %d feature lines</source>
       <translation>%d Gebiete, %d Merkmalslinien</translation>
     </message>
     <message>
-      <source>%d regions, %d feature lines so far, being repaired ...</source>
-      <translation>bisher %d Gebiete, %d Merkmalslinien, werden noch repariert ...</translation>
+      <source>%d regions, %d feature lines so far, being tried ...</source>
+      <translation>bisher %d Gebiete, %d Merkmalslinien, werden noch erprobt ...</translation>
     </message>
     <message>
       <source>'%1' cannot be opened</source>
       <translation>'%1' lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+      <source>'%1' cannot be read</source>
+      <translation>'%1' lässt sich nicht lesen</translation>
+    </message>
+    <message>
+      <source>'%1' has no known ending</source>
+      <translation>'%1' hat keine bekannte Endung</translation>
     </message>
     <message>
       <source>'%1' is a directory</source>
@@ -106,12 +389,28 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>Stapel von Hexaedernetzen</translation>
     </message>
     <message>
+      <source>CAD edge %1 (sharp) has no mesh edges of its own</source>
+      <translation>der CAD-Kante %1 (scharf) folgen keine Netzkanten</translation>
+    </message>
+    <message>
+      <source>CAD edge %1 (tangent) has no mesh edges of its own</source>
+      <translation>der CAD-Kante %1 (tangential) folgen keine Netzkanten</translation>
+    </message>
+    <message>
       <source>CAD edges that mesh edges follow: sharp ones, or all</source>
       <translation>CAD-Kanten, denen Netzkanten folgen: scharfe oder alle</translation>
     </message>
     <message>
+      <source>CAD faces without quads:%1; not covered:%2 (largest gap %3); sharp edges not followed:%4; corners lost:%5</source>
+      <translation>CAD-Flächen ohne Vierecke:%1; nicht bedeckt:%2 (größte Lücke %3); scharfe Kanten ohne Netzkanten:%4; verlorene Ecken:%5</translation>
+    </message>
+    <message>
       <source>CAD files</source>
       <translation>CAD-Dateien</translation>
+    </message>
+    <message>
+      <source>CAD places and the boundary disagree</source>
+      <translation>CAD-Zuordnung und Rand widersprechen sich</translation>
     </message>
     <message>
       <source>Cancel</source>
@@ -216,6 +515,14 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
     <message>
       <source>Fine elements on the left, coarse ones on the right</source>
       <translation>Links feine Elemente, rechts grobe</translation>
+    </message>
+    <message>
+      <source>FreeCAD finds %(found)d of the %(all)d elements on %(face)s by geometry; a load put there may miss some.</source>
+      <translation>FreeCAD findet nach der Geometrie %(found)d der %(all)d Elemente auf %(face)s; eine Last dort verfehlt vielleicht einige.</translation>
+    </message>
+    <message>
+      <source>FreeCAD's mesh cannot be built</source>
+      <translation>FreeCADs Netz lässt sich nicht aufbauen</translation>
     </message>
     <message>
       <source>Give files and a folder.</source>
@@ -342,6 +649,10 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>Ergebnis</translation>
     </message>
     <message>
+      <source>SMESH gave the number %1 where %2 was next</source>
+      <translation>SMESH vergab die Nummer %1, wo %2 an der Reihe war</translation>
+    </message>
+    <message>
       <source>Scaled Jacobian, mean</source>
       <translation>Skalierte Jacobi-Det., Mittel</translation>
     </message>
@@ -434,8 +745,20 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>Ein Hexaedernetz mit seinen CAD-Gruppen in eine Datei schreiben: .inp .unv .med .msh .vtk .vtu</translation>
     </message>
     <message>
+      <source>a block must both shrink and stay</source>
+      <translation>ein Block müsste zugleich schrumpfen und bleiben</translation>
+    </message>
+    <message>
       <source>a border loop of a %1 face turns %2 quarters</source>
       <translation>ein Rand einer %1-Fläche macht %2 Vierteldrehungen</translation>
+    </message>
+    <message>
+      <source>a chart faces the wrong way</source>
+      <translation>ein Bereich zeigt in die falsche Richtung</translation>
+    </message>
+    <message>
+      <source>a chart's outline crosses itself</source>
+      <translation>der Umriss eines Bereichs kreuzt sich selbst</translation>
     </message>
     <message>
       <source>a chart's outline is not simple</source>
@@ -446,8 +769,20 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>eine geschlossene Grenze zwischen zwei Flächen hat keine Ecke</translation>
     </message>
     <message>
+      <source>a closed shell was taken as a solid</source>
+      <translation>eine geschlossene Hülle wurde als Festkörper genommen</translation>
+    </message>
+    <message>
       <source>a corner of the feature shape has no lattice node</source>
       <translation>eine Ecke der Merkmalsform hat keinen Gitterknoten</translation>
+    </message>
+    <message>
+      <source>a face cannot be triangulated</source>
+      <translation>eine Fläche lässt sich nicht in Dreiecke zerlegen</translation>
+    </message>
+    <message>
+      <source>a face has no edges</source>
+      <translation>eine Fläche hat keine Kanten</translation>
     </message>
     <message>
       <source>a face has no surface</source>
@@ -462,8 +797,16 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>die Toleranz einer Fläche ist nicht endlich</translation>
     </message>
     <message>
+      <source>a feature edge that is no boundary edge</source>
+      <translation>eine Merkmalskante, die keine Randkante ist</translation>
+    </message>
+    <message>
       <source>a feature line has no corners or no direction</source>
       <translation>eine Merkmalslinie hat keine Ecken oder keine Richtung</translation>
+    </message>
+    <message>
+      <source>a feature line has no direction</source>
+      <translation>eine Merkmalslinie hat keine Richtung</translation>
     </message>
     <message>
       <source>a feature line is not followed by the lattice</source>
@@ -474,8 +817,24 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>einer Merkmalslinie fehlen Gitterknoten</translation>
     </message>
     <message>
+      <source>a feature line leaves the solid</source>
+      <translation>eine Merkmalslinie verlässt den Körper</translation>
+    </message>
+    <message>
+      <source>a hexahedron with a node that does not exist</source>
+      <translation>ein Hexaeder mit einem Knoten, den es nicht gibt</translation>
+    </message>
+    <message>
+      <source>a hexahedron with a repeated node</source>
+      <translation>ein Hexaeder mit einem doppelten Knoten</translation>
+    </message>
+    <message>
       <source>a line runs from a %1 face to itself</source>
       <translation>eine Linie führt von einer %1-Fläche zu ihr selbst</translation>
+    </message>
+    <message>
+      <source>a node without a hexahedron</source>
+      <translation>ein Knoten ohne Hexaeder</translation>
     </message>
     <message>
       <source>a shell has one direction only</source>
@@ -516,6 +875,10 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
     <message>
       <source>an earlier proposal has these very labels</source>
       <translation>ein früherer Vorschlag hat genau diese Richtungen</translation>
+    </message>
+    <message>
+      <source>an edge has no curve</source>
+      <translation>eine Kante hat keine Kurve</translation>
     </message>
     <message>
       <source>an edge has no length in its parameter</source>
@@ -566,6 +929,30 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>automatisch</translation>
     </message>
     <message>
+      <source>blocks must both shrink and stay, whatever charts join the group</source>
+      <translation>Blöcke müssten zugleich schrumpfen und bleiben, welche Bereiche auch dazukommen</translation>
+    </message>
+    <message>
+      <source>boundary edges that do not have exactly two quads</source>
+      <translation>Randkanten ohne genau zwei Vierecke</translation>
+    </message>
+    <message>
+      <source>boundary faces without a quad</source>
+      <translation>Randflächen ohne Viereck</translation>
+    </message>
+    <message>
+      <source>boundary points off their CAD face, edge or vertex</source>
+      <translation>Randpunkte neben ihrer CAD-Fläche, -Kante oder -Ecke</translation>
+    </message>
+    <message>
+      <source>boundary points where the surface touches itself</source>
+      <translation>Randpunkte, an denen sich die Oberfläche selbst berührt</translation>
+    </message>
+    <message>
+      <source>boundary quads that are not outward faces of exactly one element</source>
+      <translation>Randvierecke, die nicht die Außenfläche genau eines Elements sind</translation>
+    </message>
+    <message>
       <source>build with Netgen's library (Debian: libnglib-dev)</source>
       <translation>mit der Bibliothek von Netgen bauen (Debian: libnglib-dev)</translation>
     </message>
@@ -598,6 +985,10 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>die Rechte der Datei prüfen</translation>
     </message>
     <message>
+      <source>check the folder and the free space</source>
+      <translation>den Ordner und den freien Platz prüfen</translation>
+    </message>
+    <message>
       <source>check the part's solids</source>
       <translation>die Festkörper des Teils prüfen</translation>
     </message>
@@ -610,20 +1001,48 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>eine größere Elementgröße wählen</translation>
     </message>
     <message>
+      <source>choose a mesh made by Hex mesh from solid</source>
+      <translation>ein Netz wählen, das mit Hexaedernetz aus Körper gemacht wurde</translation>
+    </message>
+    <message>
       <source>choose an object with a solid; make one of a shell with Part &gt; Convert to solid</source>
       <translation>ein Objekt mit einem Festkörper wählen; aus einer Hülle wird einer mit Part &gt; In Festkörper umwandeln</translation>
+    </message>
+    <message>
+      <source>choose another folder</source>
+      <translation>einen anderen Ordner wählen</translation>
     </message>
     <message>
       <source>close the open shell or export a solid</source>
       <translation>die offene Hülle schließen oder einen Festkörper exportieren</translation>
     </message>
     <message>
+      <source>close what needs memory, or take a larger element size</source>
+      <translation>schließen, was Speicher braucht, oder eine größere Elementgröße nehmen</translation>
+    </message>
+    <message>
       <source>condition V%1 fails</source>
       <translation>Bedingung V%1 ist verletzt</translation>
     </message>
     <message>
+      <source>consecutive feature lines run in opposite directions</source>
+      <translation>aufeinander folgende Merkmalslinien laufen gegeneinander</translation>
+    </message>
+    <message>
+      <source>cut off in step %1</source>
+      <translation>abgebrochen im Schritt %1</translation>
+    </message>
+    <message>
       <source>degrees; STL, OBJ and PLY surfaces are cut into faces at sharper creases</source>
       <translation>Grad; STL-, OBJ- und PLY-Oberflächen werden an schärferen Knicken in Flächen zerlegt</translation>
+    </message>
+    <message>
+      <source>does not fill after %1 rounds</source>
+      <translation>füllt sich nach %1 Runden nicht</translation>
+    </message>
+    <message>
+      <source>element faces that are not shared by exactly two elements from opposite sides</source>
+      <translation>Elementflächen, die nicht genau zwei Elemente von beiden Seiten haben</translation>
     </message>
     <message>
       <source>element size in the part's unit; 0 chooses one from the part's volume</source>
@@ -632,6 +1051,14 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
     <message>
       <source>element type '%1' does not fit the order of the mesh</source>
       <translation>der Elementtyp '%1' passt nicht zur Ordnung des Netzes</translation>
+    </message>
+    <message>
+      <source>elements not proved positive (inverted or folded)</source>
+      <translation>Elemente, deren Gültigkeit nicht bewiesen ist (umgestülpt oder gefaltet)</translation>
+    </message>
+    <message>
+      <source>elements or quads with nodes that do not exist or are repeated</source>
+      <translation>Elemente oder Vierecke mit fehlenden oder doppelten Knoten</translation>
     </message>
     <message>
       <source>export a solid</source>
@@ -654,6 +1081,14 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>das Teil erneut exportieren; in FreeCAD</translation>
     </message>
     <message>
+      <source>face numbers are those of the mended solid</source>
+      <translation>die Flächennummern sind die des ausgebesserten Körpers</translation>
+    </message>
+    <message>
+      <source>face numbers are those of the sewn solid</source>
+      <translation>die Flächennummern sind die des zusammengenähten Körpers</translation>
+    </message>
+    <message>
       <source>faces on one axis lie each above the one before, round in a circle (%1 faces)</source>
       <translation>Flächen auf einer Achse liegen reihum jede über der vorigen (%1 Flächen)</translation>
     </message>
@@ -662,8 +1097,20 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>fehlgeschlagen</translation>
     </message>
     <message>
+      <source>feature edges out of order</source>
+      <translation>Merkmalskanten in falscher Reihenfolge</translation>
+    </message>
+    <message>
+      <source>feature edges without a CAD edge entry</source>
+      <translation>Merkmalskanten ohne CAD-Kante</translation>
+    </message>
+    <message>
       <source>feature lines</source>
       <translation>Merkmalslinien</translation>
+    </message>
+    <message>
+      <source>feature-line, proposal %1 gave up in step %2</source>
+      <translation>Merkmalslinien, Vorschlag %1 gab auf im Schritt %2</translation>
     </message>
     <message>
       <source>finding directions</source>
@@ -690,6 +1137,10 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>aus Tetraedern, von geringer Qualität</translation>
     </message>
     <message>
+      <source>give a file name</source>
+      <translation>einen Dateinamen angeben</translation>
+    </message>
+    <message>
       <source>give a file name, not a folder</source>
       <translation>einen Dateinamen angeben, keinen Ordner</translation>
     </message>
@@ -710,8 +1161,52 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>die Datei des Teils angeben</translation>
     </message>
     <message>
+      <source>hexahedra do not share a face in pairs, from opposite sides</source>
+      <translation>Hexaeder teilen ihre Flächen nicht paarweise von beiden Seiten</translation>
+    </message>
+    <message>
+      <source>hexahedra that belong together must both shrink and stay</source>
+      <translation>zusammengehörige Hexaeder müssten zugleich schrumpfen und bleiben</translation>
+    </message>
+    <message>
+      <source>hexahedra without a block or solid entry</source>
+      <translation>Hexaeder ohne Block oder Körper</translation>
+    </message>
+    <message>
+      <source>hexfeature mesh --help lists the options</source>
+      <translation>hexfeature mesh --help nennt die Optionen</translation>
+    </message>
+    <message>
       <source>insert O-grid sheets where block borders lie on smooth surface</source>
       <translation>O-Gitter-Schichten einfügen, wo Blockränder auf glatter Oberfläche liegen</translation>
+    </message>
+    <message>
+      <source>insisting gave up in step %1</source>
+      <translation>das Beharren auf Kanten gab auf im Schritt %1</translation>
+    </message>
+    <message>
+      <source>install %1, or write .vtk, .inp or .unv</source>
+      <translation>%1 installieren oder .vtk, .inp oder .unv schreiben</translation>
+    </message>
+    <message>
+      <source>is %1 but must lie between %2 and %3</source>
+      <translation>ist %1, muss aber zwischen %2 und %3 liegen</translation>
+    </message>
+    <message>
+      <source>is '%1' but must be one of %2</source>
+      <translation>ist '%1', muss aber eines von %2 sein</translation>
+    </message>
+    <message>
+      <source>it has %1; 0 meshes all of them</source>
+      <translation>es hat %1; 0 vernetzt alle</translation>
+    </message>
+    <message>
+      <source>it is a folder</source>
+      <translation>es ist ein Ordner</translation>
+    </message>
+    <message>
+      <source>it is no regular file</source>
+      <translation>es ist keine gewöhnliche Datei</translation>
     </message>
     <message>
       <source>its share of the time limit is used up</source>
@@ -746,6 +1241,10 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>das Teil wird betrachtet ...</translation>
     </message>
     <message>
+      <source>loose faces were sewn into a solid</source>
+      <translation>lose Flächen wurden zu einem Körper zusammengenäht</translation>
+    </message>
+    <message>
       <source>make the folder first</source>
       <translation>erst den Ordner anlegen</translation>
     </message>
@@ -774,12 +1273,56 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>Mittelknoten</translation>
     </message>
     <message>
+      <source>min SJ %1</source>
+      <translation>schlechteste SJ %1</translation>
+    </message>
+    <message>
+      <source>must be a finite number</source>
+      <translation>muss eine endliche Zahl sein</translation>
+    </message>
+    <message>
+      <source>must be a number</source>
+      <translation>muss eine Zahl sein</translation>
+    </message>
+    <message>
+      <source>must be a text</source>
+      <translation>muss ein Text sein</translation>
+    </message>
+    <message>
+      <source>must be a whole number</source>
+      <translation>muss eine ganze Zahl sein</translation>
+    </message>
+    <message>
+      <source>must be true or false</source>
+      <translation>muss wahr oder falsch sein</translation>
+    </message>
+    <message>
+      <source>neighbouring feature surfaces lie on one axis</source>
+      <translation>benachbarte Merkmalsflächen liegen auf einer Achse</translation>
+    </message>
+    <message>
       <source>neighbouring triangles are oriented against each other</source>
       <translation>benachbarte Dreiecke sind gegeneinander orientiert</translation>
     </message>
     <message>
+      <source>no block needs to shrink</source>
+      <translation>kein Block muss schrumpfen</translation>
+    </message>
+    <message>
       <source>no cut</source>
       <translation>kein Schnitt</translation>
+    </message>
+    <message>
+      <source>no feature line of a feature surface runs in direction</source>
+      <translation>keine Merkmalslinie einer Merkmalsfläche läuft in Richtung</translation>
+    </message>
+    <message>
+      <source>no feature surface has direction</source>
+      <translation>keine Merkmalsfläche hat die Richtung</translation>
+    </message>
+    <message>
+      <source>no free loop of nodes</source>
+      <translation>kein freier Ring von Knoten</translation>
     </message>
     <message>
       <source>no node for an end</source>
@@ -790,6 +1333,14 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>kein Weg ohne flache Ecke</translation>
     </message>
     <message>
+      <source>no polycube has a corner of</source>
+      <translation>kein Polycube hat eine Ecke aus</translation>
+    </message>
+    <message>
+      <source>no right to create files in '%1'</source>
+      <translation>keine Berechtigung, in '%1' Dateien anzulegen</translation>
+    </message>
+    <message>
       <source>no solid in the file, and its faces do not form one</source>
       <translation>kein Festkörper in der Datei, und ihre Flächen bilden keinen</translation>
     </message>
@@ -798,12 +1349,24 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>kein gültiges Erkennungsmodell gefunden</translation>
     </message>
     <message>
+      <source>nodes without a CAD place entry</source>
+      <translation>Knoten ohne CAD-Zuordnung</translation>
+    </message>
+    <message>
+      <source>none</source>
+      <translation>keine</translation>
+    </message>
+    <message>
       <source>on CAD regions</source>
       <translation>auf CAD-Gebieten</translation>
     </message>
     <message>
       <source>one file a line: STEP, IGES, BREP or FreeCAD documents; with a size of its own: part.step; 4 mm</source>
       <translation>eine Datei je Zeile: STEP, IGES, BREP oder FreeCAD-Dokumente; mit eigener Größe: teil.step; 4 mm</translation>
+    </message>
+    <message>
+      <source>option '%1' cannot be %2</source>
+      <translation>die Option '%1' kann nicht %2 sein</translation>
     </message>
     <message>
       <source>options</source>
@@ -818,12 +1381,40 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>nicht genug Speicher</translation>
     </message>
     <message>
+      <source>pairs of points at the same place</source>
+      <translation>Paare von Punkten am selben Ort</translation>
+    </message>
+    <message>
+      <source>part and lattice would be cut differently</source>
+      <translation>Teil und Gitter würden verschieden zerschnitten</translation>
+    </message>
+    <message>
+      <source>please report the part</source>
+      <translation>bitte das Teil melden</translation>
+    </message>
+    <message>
+      <source>points are flat</source>
+      <translation>die Punkte liegen flach</translation>
+    </message>
+    <message>
+      <source>points that belong to no element</source>
+      <translation>Punkte, die zu keinem Element gehören</translation>
+    </message>
+    <message>
+      <source>points with coordinates that are not numbers</source>
+      <translation>Punkte, deren Koordinaten keine Zahlen sind</translation>
+    </message>
+    <message>
       <source>polycube</source>
       <translation>Polycube</translation>
     </message>
     <message>
       <source>proving every element</source>
       <translation>jedes Element prüfen</translation>
+    </message>
+    <message>
+      <source>quads without a chart or CAD face entry</source>
+      <translation>Vierecke ohne Bereich oder CAD-Fläche</translation>
     </message>
     <message>
       <source>raise the element size</source>
@@ -850,6 +1441,10 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>zweite (20 Knoten)</translation>
     </message>
     <message>
+      <source>second order</source>
+      <translation>zweite Ordnung</translation>
+    </message>
+    <message>
       <source>seconds for the whole run; 0 sets no limit</source>
       <translation>Sekunden für den ganzen Lauf; 0 setzt keine Grenze</translation>
     </message>
@@ -858,8 +1453,28 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>siehe hexfeature mesh --help</translation>
     </message>
     <message>
+      <source>shape places and the boundary disagree</source>
+      <translation>Formzuordnung und Rand widersprechen sich</translation>
+    </message>
+    <message>
       <source>sharp CAD edges</source>
       <translation>scharfe CAD-Kanten</translation>
+    </message>
+    <message>
+      <source>sheet along charts</source>
+      <translation>Schicht längs der Bereiche</translation>
+    </message>
+    <message>
+      <source>sheet under the floor of chart</source>
+      <translation>Schicht unter dem Boden des Bereichs</translation>
+    </message>
+    <message>
+      <source>size is %1 but must be a length greater than 0</source>
+      <translation>die Elementgröße ist %1, muss aber eine Länge über 0 sein</translation>
+    </message>
+    <message>
+      <source>size is %1 but must be a length in mm</source>
+      <translation>die Elementgröße ist %1, muss aber eine Länge in mm sein</translation>
     </message>
     <message>
       <source>smoothing</source>
@@ -882,6 +1497,18 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>Oberflächendreiecke</translation>
     </message>
     <message>
+      <source>tet-split gave up in step %1</source>
+      <translation>das Verfahren aus Tetraedern gab auf im Schritt %1</translation>
+    </message>
+    <message>
+      <source>tet-split, attempt %1</source>
+      <translation>aus Tetraedern, Versuch %1</translation>
+    </message>
+    <message>
+      <source>tet-split, attempt %1 gave up in step %2</source>
+      <translation>aus Tetraedern, Versuch %1 gab auf im Schritt %2</translation>
+    </message>
+    <message>
       <source>tetrahedra</source>
       <translation>Tetraeder</translation>
     </message>
@@ -894,8 +1521,36 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>die B-Rep ist abgeschnitten oder gar keine</translation>
     </message>
     <message>
+      <source>the B-rep text cannot be read</source>
+      <translation>der B-Rep-Text lässt sich nicht lesen</translation>
+    </message>
+    <message>
+      <source>the Python package %1 is missing</source>
+      <translation>das Python-Paket %1 fehlt</translation>
+    </message>
+    <message>
       <source>the axes disagree</source>
       <translation>die Achsen widersprechen sich</translation>
+    </message>
+    <message>
+      <source>the boundary is not a manifold at a node</source>
+      <translation>der Rand ist an einem Knoten keine Mannigfaltigkeit</translation>
+    </message>
+    <message>
+      <source>the boundary is not an oriented manifold</source>
+      <translation>der Rand ist keine orientierte Mannigfaltigkeit</translation>
+    </message>
+    <message>
+      <source>the boundary quads are not the complex's boundary</source>
+      <translation>die Randvierecke sind nicht der Rand des Netzes</translation>
+    </message>
+    <message>
+      <source>the charts at a corner leave one of its coordinates open</source>
+      <translation>die Bereiche an einer Ecke lassen eine ihrer Koordinaten offen</translation>
+    </message>
+    <message>
+      <source>the element size asks for about %1 elements</source>
+      <translation>die Elementgröße verlangt etwa %1 Elemente</translation>
     </message>
     <message>
       <source>the element size is larger than the part</source>
@@ -918,6 +1573,14 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>die Elementgröße muss positiv sein</translation>
     </message>
     <message>
+      <source>the feature lines along the</source>
+      <translation>die Merkmalslinien längs der</translation>
+    </message>
+    <message>
+      <source>the feature lines along the %1 axis run in a circle</source>
+      <translation>die Merkmalslinien längs der %1-Achse laufen im Kreis</translation>
+    </message>
+    <message>
       <source>the feature shape has no corners</source>
       <translation>die Merkmalsform hat keine Ecken</translation>
     </message>
@@ -934,6 +1597,10 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>die Eulerzahl des gefüllten Körpers ist nicht die des Teils</translation>
     </message>
     <message>
+      <source>the hexahedral complex is damaged; please report this part</source>
+      <translation>das Hexaedernetz ist beschädigt; bitte dieses Teil melden</translation>
+    </message>
+    <message>
       <source>the inside leaks</source>
       <translation>das Innere ist undicht</translation>
     </message>
@@ -942,8 +1609,28 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>das Gitter hätte mehr als 40 Millionen Zellen</translation>
     </message>
     <message>
+      <source>the lines contradict each other at a corner of</source>
+      <translation>die Linien widersprechen sich an einer Ecke aus</translation>
+    </message>
+    <message>
+      <source>the map of chart %1 keeps %2 folded triangles</source>
+      <translation>die Abbildung des Bereichs %1 behält %2 gefaltete Dreiecke</translation>
+    </message>
+    <message>
+      <source>the maps on its sides would fold</source>
+      <translation>die Abbildungen auf ihren Seiten würden sich falten</translation>
+    </message>
+    <message>
       <source>the mesh does not know which CAD entity its points lie on</source>
       <translation>das Netz weiß nicht, auf welchen CAD-Elementen seine Punkte liegen</translation>
+    </message>
+    <message>
+      <source>the mesh has no elements</source>
+      <translation>das Netz hat keine Elemente</translation>
+    </message>
+    <message>
+      <source>the mesh has no hexahedra, or other volumes besides</source>
+      <translation>das Netz hat keine Hexaeder oder daneben andere Volumenelemente</translation>
     </message>
     <message>
       <source>the mesh of another labelling is better</source>
@@ -954,12 +1641,34 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>das Netz eines anderen Verfahrens ist besser</translation>
     </message>
     <message>
+      <source>the meshing program (hexfeature._core) cannot be loaded: %(error)s.
+FreeCAD runs Python %(python)s. Either run 'make build' in the workbench's folder with that Python, or install the package 'hexfeature' for it: python%(python)s -m pip install hexfeature</source>
+      <translation>das Vernetzungsprogramm (hexfeature._core) lässt sich nicht laden: %(error)s.
+FreeCAD läuft mit Python %(python)s. Entweder im Ordner des Arbeitsbereichs mit diesem Python 'make build' ausführen oder dafür das Paket 'hexfeature' installieren: python%(python)s -m pip install hexfeature</translation>
+    </message>
+    <message>
+      <source>the object has no Solid%1</source>
+      <translation>das Objekt hat kein Solid%1</translation>
+    </message>
+    <message>
       <source>the object has no solid</source>
       <translation>das Objekt hat keinen Festkörper</translation>
     </message>
     <message>
       <source>the paper's, on triangles</source>
       <translation>wie veröffentlicht, auf Dreiecken</translation>
+    </message>
+    <message>
+      <source>the part cannot be analysed</source>
+      <translation>das Teil lässt sich nicht untersuchen</translation>
+    </message>
+    <message>
+      <source>the part cannot be mended</source>
+      <translation>das Teil lässt sich nicht ausbessern</translation>
+    </message>
+    <message>
+      <source>the part cannot be read</source>
+      <translation>das Teil lässt sich nicht lesen</translation>
     </message>
     <message>
       <source>the part has no extent</source>
@@ -974,6 +1683,10 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>das Teil ist nicht geschlossen</translation>
     </message>
     <message>
+      <source>the part is still there from the run before</source>
+      <translation>das Teil ist noch vom vorigen Lauf da</translation>
+    </message>
+    <message>
       <source>the part must be a closed solid with sound faces; try Part &gt; Check geometry or a shape healing</source>
       <translation>das Teil muss ein geschlossener Festkörper mit heilen Flächen sein; Part &gt; Geometrie überprüfen oder eine Reparatur der Form hilft vielleicht</translation>
     </message>
@@ -986,12 +1699,44 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>das Teil berührt sich selbst</translation>
     </message>
     <message>
+      <source>the part's geometry is defective near the named faces; try repairing it</source>
+      <translation>die Geometrie des Teils ist bei den genannten Flächen fehlerhaft; vielleicht lässt sie sich reparieren</translation>
+    </message>
+    <message>
+      <source>the part's volume cannot be measured</source>
+      <translation>das Volumen des Teils lässt sich nicht messen</translation>
+    </message>
+    <message>
       <source>the path meets itself</source>
       <translation>der Weg trifft sich selbst</translation>
     </message>
     <message>
       <source>the path would skip a part of it</source>
       <translation>der Weg ließe ein Stück davon aus</translation>
+    </message>
+    <message>
+      <source>the sheet would be empty</source>
+      <translation>die Schicht wäre leer</translation>
+    </message>
+    <message>
+      <source>the sheet would cut a corner off the part</source>
+      <translation>die Schicht schnitte eine Ecke des Teils ab</translation>
+    </message>
+    <message>
+      <source>the sheet would leave along CAD edge %1 and turn off it within one quad</source>
+      <translation>die Schicht träte längs der CAD-Kante %1 aus und böge im selben Viereck ab</translation>
+    </message>
+    <message>
+      <source>the solid had faults and was healed</source>
+      <translation>der Körper hatte Fehler und wurde geheilt</translation>
+    </message>
+    <message>
+      <source>the solids are meshed one by one</source>
+      <translation>die Körper werden einzeln vernetzt</translation>
+    </message>
+    <message>
+      <source>the surface cannot be triangulated</source>
+      <translation>die Oberfläche lässt sich nicht in Dreiecke zerlegen</translation>
     </message>
     <message>
       <source>the surface does not close at %1 face(s)</source>
@@ -1046,6 +1791,10 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>es gibt keine Datei '%1'</translation>
     </message>
     <message>
+      <source>there is no folder '%1'</source>
+      <translation>es gibt keinen Ordner '%1'</translation>
+    </message>
+    <message>
       <source>there is no mesh format with the ending '%1'</source>
       <translation>es gibt kein Netzformat mit der Endung '%1'</translation>
     </message>
@@ -1062,8 +1811,16 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>diese Datei gibt es nicht</translation>
     </message>
     <message>
+      <source>this is a fault of the program</source>
+      <translation>das ist ein Fehler des Programms</translation>
+    </message>
+    <message>
       <source>time limit reached</source>
       <translation>Zeitgrenze erreicht</translation>
+    </message>
+    <message>
+      <source>tiny edges and faces were removed</source>
+      <translation>winzige Kanten und Flächen wurden entfernt</translation>
     </message>
     <message>
       <source>too far, %1</source>
@@ -1075,6 +1832,10 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
     </message>
     <message>
       <source>try a smaller element size, or simplify the faces named</source>
+      <translation>eine kleinere Elementgröße versuchen oder die genannten Flächen vereinfachen</translation>
+    </message>
+    <message>
+      <source>try a smaller element size, or simplify the named faces</source>
       <translation>eine kleinere Elementgröße versuchen oder die genannten Flächen vereinfachen</translation>
     </message>
     <message>
@@ -1092,6 +1853,18 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
     <message>
       <source>try another element size, or simplify the faces named</source>
       <translation>eine andere Elementgröße versuchen oder die genannten Flächen vereinfachen</translation>
+    </message>
+    <message>
+      <source>two charts lie on the same cells</source>
+      <translation>zwei Bereiche liegen auf denselben Zellen</translation>
+    </message>
+    <message>
+      <source>two charts that face the same way follow each other</source>
+      <translation>zwei gleich gerichtete Bereiche folgen aufeinander</translation>
+    </message>
+    <message>
+      <source>two feature lines meet where they should not</source>
+      <translation>zwei Merkmalslinien treffen sich, wo sie es nicht sollten</translation>
     </message>
     <message>
       <source>two mesh points would stand on CAD vertex %1</source>
@@ -1114,16 +1887,20 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>.vtk, .inp oder .unv verwenden</translation>
     </message>
     <message>
-      <source>use a larger size</source>
-      <translation>eine größere Elementgröße verwenden</translation>
-    </message>
-    <message>
       <source>use a larger size, or allow more memory</source>
       <translation>eine größere Elementgröße verwenden oder mehr Speicher erlauben</translation>
     </message>
     <message>
       <source>use one of %1</source>
       <translation>eines von %1 verwenden</translation>
+    </message>
+    <message>
+      <source>where they touch, their meshes do not share nodes</source>
+      <translation>wo sie sich berühren, haben ihre Netze keine gemeinsamen Knoten</translation>
+    </message>
+    <message>
+      <source>with %1 sheets</source>
+      <translation>mit %1 Schichten</translation>
     </message>
     <message>
       <source>worker threads; the mesh does not depend on it</source>

@@ -37,7 +37,7 @@ def mesh(obj, size=None, analysis=None, name=None, progress=None, cancelled=None
         if not 0 < size < float("inf"):
             raise usage("size is %g but must be a length greater than 0" % size)
     document = obj.Document
-    document.openTransaction("Hex mesh")
+    document.openTransaction(tr("Hex mesh"))
     try:
         result_object = mesh_object.create(document, obj, name or obj.Name + "_Mesh")
         if name is None and obj.Label != obj.Name:
@@ -66,7 +66,7 @@ def refresh(mesh_obj, progress=None, cancelled=None, **options):
     Returns the core's result. Raises MeshingError.
     """
     document = mesh_obj.Document
-    document.openTransaction("Refresh hex mesh")
+    document.openTransaction(tr("Refresh mesh"))
     try:
         set_options(mesh_obj, options)
         result = _fill(mesh_obj, progress, cancelled)
@@ -86,7 +86,7 @@ def set_options(mesh_obj, options):
         try:
             setattr(mesh_obj, mesh_object.property_name(option), value)
         except (TypeError, ValueError):  # of FreeCAD's property
-            raise usage("%s cannot be %r" % (option, value)) from None
+            raise usage("option '%s' cannot be %r" % (option, value)) from None
 
 
 def offer(brep, options, result, builder=None):

@@ -103,7 +103,8 @@ def preview():
             panel.size.set_value(size * 0.99 if panel.size.value() == size else size)
             changed = until_drawn(panel, start, before)
             slowest = [max(slow, each[0]) for slow, each in zip(slowest, (opened, changed))]
-            say("| %s | %d | %.2f s | %.2f s | %.2f s | %.2f s | %s |" % (name, len(shape.Faces), *opened, *changed, panel.preview_text.text()))
+            say("| %s | %d | %.2f s | %.2f s | %.2f s | %.2f s | %s |" % (
+                name, len(shape.Faces), *opened, *changed, panel.preview_text.text()))
             panel.reject()
             FreeCAD.closeDocument(document.Name)
     say("slowest of %d: %.2f s after the panel was asked for, %.2f s after another size" % (len(parts), *slowest))

@@ -15,7 +15,9 @@ from driver import child, live, picture, wait_until
 from gui_test import GuiTest
 from PySide import QtGui
 
+import HexFeatureWB
 from HexFeatureWB.gui import messages, quality_panel, refresh_panel, task_panel
+from HexFeatureWB.job import Job
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
@@ -182,6 +184,46 @@ class TestZGerman(GuiTest):
                              "Glätten: 3 Elemente bleiben umgestülpt oder gefaltet")
             self.assertEqual(messages.batch_words("why", "there is no such file"), "diese Datei gibt es nicht")
             self.assertEqual(messages.batch_words("min_sj", 0.5), 0.5)
+            self.assertEqual(messages.in_words("order is 5 but must lie between 1 and 2"),
+                             "Elementordnung ist 5, muss aber zwischen 1 und 2 liegen")
+            self.assertEqual(messages.in_words("there is no option 'labels'"), "es gibt keine Option 'labels'")
+            self.assertEqual(messages.in_words("3 boundary faces without a quad"), "3 Randflächen ohne Viereck")
+            self.assertEqual(messages.in_words("no polycube has a corner of +X -Y +Z"), "kein Polycube hat eine Ecke aus +X -Y +Z")
+            self.assertEqual(messages.in_words("the part cannot be analysed (Standard_Failure)"),
+                             "das Teil lässt sich nicht untersuchen (Standard_Failure)")
+            self.assertEqual(messages.log_in_words("  1.25 s  sheet along charts 1 23 refused: the sheet would be empty"),
+                             "  1.25 s  Schicht längs der Bereiche 1 23 abgelehnt: die Schicht wäre leer")
+        finally:
+            FreeCADGui.setLocale("English")
+
+    def test_every_line_of_the_log_is_german(self):
+        runs = (("flange", 4.0, {}), ("pipe_tee", 4.0, {}), ("crank_shaft", 5.0, {}), ("bracket", 4.0, {"method": "tet-split"}))
+        lines = []
+        for name, size, options in runs:
+            job = Job(make_parts.PARTS[name][0]().Solids[0].exportBrepToString(), {"size": size, "order": 2, **options}).start()
+            wait_until(lambda: not job.is_alive())
+            self.assertIsNone(job.error)
+            lines += job.lines
+        self.assertGreater(len(lines), 60)
+        FreeCADGui.setLocale("German")
+        try:
+            for line in lines:
+                words = messages.log_in_words(line)
+                self.assertNotEqual(words, line)
+                self.assertEqual(re.findall(r"\d+", words), re.findall(r"\d+", line))
+                self.assertFalse(re.findall(r"\b(?:the|of|with|step|edges|none|sheets|charts)\b", words), words)
+        finally:
+            FreeCADGui.setLocale("English")
+
+    def test_the_property_editor_speaks_german(self):
+        document, part = driver.show_part(make_parts.box())
+        mesh = HexFeatureWB.mesh(part, size=5)
+        FreeCADGui.setLocale("German")
+        try:
+            for name in mesh.PropertiesList:
+                if mesh.getGroupOfProperty(name).startswith("Hex mesh"):
+                    for text in (re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name), mesh.getDocumentationOfProperty(name)):
+                        self.assertTrue(text in ("Beta", "Threads") or FreeCAD.Qt.translate("App::Property", text) != text, text)
         finally:
             FreeCADGui.setLocale("English")
 

@@ -50,6 +50,11 @@ def step_title(step):
 
 def in_words(message):
     """A message of the program in the user's language, or as it is. Takes it apart as packaging/core_messages.py does."""
+    for template in _templates():
+        if ":" in template[0]:
+            words = _filled(template, message)
+            if words is not None:
+                return words
     return ": ".join(_piece(piece) for piece in PIECES.split(message))
 
 
@@ -68,28 +73,32 @@ def _piece(piece):
         return piece
     if piece in step_titles():
         return step_title(piece)
-    words = tr(piece)
+    words = tr("none") if piece == "none" else tr(piece)
     if words != piece:
         return words
-    for template, pattern, quoted in _templates():
-        found = pattern.fullmatch(piece)
-        if found:
-            values = [value if raw else _piece(value) for value, raw in zip(found.groups(), quoted)]
-            return re.sub(r"%(\d)", lambda place: values[int(place[1]) - 1], tr(template))
-    return _tail(piece)
+    return next((words for words in (_filled(template, piece) for template in _templates()) if words is not None), None) or _tail(piece)
+
+
+def _filled(template, piece):
+    """The message in the user's words if it is one of this template, else None."""
+    text, pattern, quoted = template
+    found = pattern.fullmatch(piece)
+    if not found:
+        return None
+    values = [value if raw else _piece(value) for value, raw in zip(found.groups(), quoted)]
+    return re.sub(r"%(\d)", lambda place: values[int(place[1]) - 1], tr(text))
 
 
 def _tail(piece):
     """A message that the program has made longer: by numbers or labels, or by what stands in brackets; or one about an option."""
-    numbers = re.fullmatch(r"(.*\S)((?: (?:%s))+)" % LABEL_OR_NUMBER, piece)
-    if numbers:
-        return _piece(numbers[1]) + numbers[2]
-    brackets = re.fullmatch(r"(.*\S)( \([^()]*\))", piece)
-    if brackets:
-        return _piece(brackets[1]) + brackets[2]
     option, space, rest = piece.partition(" ")
     if space and widgets.has_title(option):
         return widgets.title_of(option) + " " + _piece(rest)
+    for pattern in (r"()(.*\S)((?: (?:%s))+)" % LABEL_OR_NUMBER, r"()(.*\S)( \([^()]*\))", r"(\d+ )(.*\D.*)()"):
+        longer = re.fullmatch(pattern, piece)
+        words = longer and _piece(longer[2])
+        if longer and words != longer[2]:
+            return longer[1] + words + longer[3]
     return piece
 
 
