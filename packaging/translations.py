@@ -55,7 +55,7 @@ def _options():
 
 
 def property_texts():
-    """Names, as the property editor writes them, and descriptions of the properties of mesh and view."""
+    """Names, as the property editor writes them, descriptions and groups of the properties of mesh and view."""
     found = {("Element Size" if option.name == "size" else option.name.replace("_", " ").title(), option.help) for option in _options()}
     for source in ("mesh_object.py", "view_provider.py"):
         for node in ast.walk(ast.parse((ROOT / "python" / "HexFeatureWB" / source).read_text(encoding="utf-8"))):
@@ -63,6 +63,8 @@ def property_texts():
             literals = [part.value for part in row if isinstance(part, ast.Constant) and isinstance(part.value, str)]
             if len(literals) > 2 and literals[0].startswith(PROPERTIES):
                 found.add((re.sub(r"(?<=[a-z])(?=[A-Z])", " ", literals[1]), literals[2]))
+            if isinstance(node, ast.Assign) and getattr(node.targets[0], "id", "") in ("GROUP", "RESULTS"):
+                found.add((node.value.value,))
     return sorted({text for pair in found for text in pair})
 
 

@@ -56,6 +56,14 @@
       <translation>Anzahl Hexaeder</translation>
     </message>
     <message>
+      <source>Hex mesh</source>
+      <translation>Hexaedernetz</translation>
+    </message>
+    <message>
+      <source>Hex mesh result</source>
+      <translation>Hexaedernetz, Ergebnis</translation>
+    </message>
+    <message>
       <source>Labels</source>
       <translation>Richtungen</translation>
     </message>
@@ -1813,6 +1821,10 @@ FreeCAD läuft mit Python %(python)s. Entweder im Ordner des Arbeitsbereichs mit
     <message>
       <source>this is a fault of the program</source>
       <translation>das ist ein Fehler des Programms</translation>
+    </message>
+    <message>
+      <source>this method has neither labels nor feature lines</source>
+      <translation>dieses Verfahren hat weder Richtungen noch Merkmalslinien</translation>
     </message>
     <message>
       <source>time limit reached</source>

@@ -6,7 +6,7 @@ import FreeCAD
 
 from . import core, fem_mesh, mesh_object
 from .group_check import differing_groups
-from .source import names_of, shape_to_mesh
+from .source import brep_of, names_of, shape_to_mesh
 from .translate import tr
 
 MeshingError = core.load().MeshingError
@@ -113,7 +113,7 @@ def _fill(mesh_obj, progress, cancelled):
     source = mesh_object.source_of(mesh_obj)
     shape = shape_to_mesh(source, mesh_obj.Solid)
     names = names_of(source, shape)
-    result, fem, ids = _compute(shape.exportBrepToString(), mesh_object.options_of(mesh_obj), progress, cancelled)
+    result, fem, ids = _compute(brep_of(shape), mesh_object.options_of(mesh_obj), progress, cancelled)
     fem_mesh.add_groups(fem, ids, names)
     report = result.report()
     report["groups_not_found_by_geometry"] = differing_groups(result, fem, shape, ids)

@@ -5,7 +5,7 @@ import numpy as np
 import Part
 
 from . import core
-from .source import shape_to_mesh
+from .source import brep_of, shape_to_mesh
 from .translate import tr
 
 #: red, green, blue of the axes X, Y, Z of the working frame; of labels +X -X +Y -Y +Z -Z
@@ -62,7 +62,7 @@ def _stage(name, obj, size, solid, options):
     if size is not None:
         options["size"] = float(getattr(size, "Value", size))
     options["stop_after"] = name
-    result = core.load().mesh_brep(shape.exportBrepToString(), options)
+    result = core.load().mesh_brep(brep_of(shape), options)
     return result.stage(name), result.report()["options"]["size"]
 
 

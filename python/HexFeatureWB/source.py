@@ -1,5 +1,7 @@
 # HexFeatureWB - LGPL-2.1-or-later
 """From a document object to the shape that is meshed, and back from the core's numbers to FreeCAD's names."""
+import re
+
 from . import core
 
 
@@ -24,6 +26,12 @@ def shape_to_mesh(obj, solid=0):
     if solid:
         return solids[solid - 1]
     return solids[0] if len(solids) == 1 else obj.Shape
+
+
+def brep_of(shape):
+    """The shape as a text for the core, the same one as long as the shape is the same: OpenCASCADE notes on each sub-shape whether it was
+    checked, and forgets it when FreeCAD draws the part. That note is left out, or a finished mesh would be taken for another part's."""
+    return re.sub(r"(?m)^([01]{2})1([01]{4})$", r"\g<1>0\g<2>", shape.exportBrepToString())
 
 
 def names_of(obj, part):

@@ -10,12 +10,16 @@ import tempfile
 import time
 
 import driver
+import FreeCAD
 import FreeCADGui
 import make_parts
 from driver import child, live, say, wait_until
 
 from HexFeatureWB.gui import record, task_panel
 from HexFeatureWB.gui import run as run_of_panel
+
+LONGEST = 60  #: s of a run that is measured, cancelled then
+WRITING = "document"  #: stands for a step: the mesh goes into the document
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 PARTS = os.path.join(os.path.dirname(ROOT), "shared", "parts")
@@ -82,7 +86,6 @@ def parts_to_preview(folder):
 
 def preview():
     """From the command to the drawn preview, and from a change of the size with the panel at rest."""
-    import FreeCAD
     import Part
 
     say("| part | faces | drawn after the panel is asked for | final | drawn after another size | final | regions, lines |")
@@ -125,50 +128,101 @@ def until_drawn(panel, start, before):
 
 
 def cancel():
-    """Cancel pressed in the middle of every step: the longest time until the panel can be used again."""
-    say("| run | step | lasts | answer to Cancel |")
-    say("|---|---|---|---|")
-    for name, size, method in (("crank_shaft", 2.0, "feature-line"), ("pipe_tee", 2.5, "feature-line"), ("crank_shaft", 4.0, "tet-split")):
-        document, part = driver.show_part(make_parts.PARTS[name][0]())
-        panel = open_panel(part)
-        panel.show_lines.setChecked(False)
-        panel.show_labels.setChecked(False)
-        panel.size.set_value(size)
-        panel.options["method"].set_value(method)
-        steps = whole_run(panel)
-        for step, (begin, lasts) in steps.items():
-            child(panel.form, "mesh_button").click()
-            job = panel.job
-            while panel.job is job and job.step != step:
-                live(0.002)
-            live(lasts / 2)
-            if panel.job is not job:
-                continue
-            start = time.monotonic()
-            child(panel.form, "cancel_button").click()
-            wait_until(lambda: panel.job is None)
-            say("| %s, %s | %s | %.2f s | %.2f s |" % (name, method, step, lasts, time.monotonic() - start))
-        panel.reject()
+    """Cancel pressed in every step of both methods: the longest time until the panel can be used again, and how long the window stood
+    still in that step of a run to the end."""
+    say("| run | step | after | answer to Cancel | window stood still |")
+    say("|---|---|---|---|---|")
+    worst = (0.0, "")
+    for name, shape, size in parts_to_cancel():
+        for method in ("feature-line", "tet-split"):
+            document, part = driver.show_part(shape)
+            panel = open_panel(part)
+            panel.show_lines.setChecked(False)
+            panel.show_labels.setChecked(False)
+            panel.size.set_value(size)
+            panel.options["method"].set_value(method)
+            for step, moments, still in steps_of(panel):
+                for moment, seconds in ((moment, cancelled_after(panel, step, *moment)) for moment in moments):
+                    if seconds is not None:
+                        say("| %s, %s | %s | %.1f s | %.3f s | %.2f s |" % (name, method, step, sum(moment), seconds, still))
+                        worst = max(worst, (seconds, "%s, %s, %s" % (name, method, step)))
+            panel.reject()
+            FreeCAD.closeDocument(document.Name)
+    say("slowest answer: %.3f s (%s)" % worst)
 
 
-def whole_run(panel):
-    """Mesh to the end and give the document back as it was; step -> (beginning, length) of the steps that can be hit."""
+def parts_to_cancel():
+    """(name, shape, size)"""
+    import Part
+
+    if os.path.isdir(PARTS):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, path, size in parts_to_preview(folder):
+                if name in ("leg_fork", "nist_ctc_01"):
+                    shape = Part.Shape()
+                    shape.read(path)
+                    yield name, shape, size
+    yield "crank_shaft", make_parts.crank_shaft(), 2.0
+    yield "pipe_tee", make_parts.pipe_tee(), 2.5
+
+
+def steps_of(panel):
+    """[(step, [(when it began, how long after that Cancel is to be pressed)], longest time that the window stood still in it)] of a run to
+    its end, or to the end of LONGEST; the document is given back as it was."""
     child(panel.form, "mesh_button").click()
-    job, seen = panel.job, []
+    job, seen, still = panel.job, [], {}
     start = time.monotonic()
     while panel.job is job:
+        now = time.monotonic()
         if job.step and (not seen or seen[-1][0] != job.step):
-            seen.append((job.step, time.monotonic() - start))
-        live(0.002)
+            seen.append((job.step, now - start))
+        step = job.step
+        live(0.0)
+        if panel.job is not job:
+            step = WRITING
+        still[step] = max(still.get(step, 0.0), time.monotonic() - now)
+        time.sleep(0.002)
+        if now - start > LONGEST and not job.was_cancelled:
+            child(panel.form, "cancel_button").click()
     seen.append(("", time.monotonic() - start))
     if panel.mesh is not None:
         panel.document.removeObject(panel.mesh.Name)
         panel.mesh = None
+        say("(the window stood still for %.2f s when the mesh was written into the document)" % still[WRITING])
     steps = {}
     for (step, begin), (_, end) in zip(seen, seen[1:]):
-        if end - begin > 0.02 and end - begin > steps.get(step, (0, 0))[1]:
-            steps[step] = begin, end - begin
-    return steps
+        if end - begin > 0.02:
+            steps.setdefault(step, []).append((begin, end - begin))
+    for step, times in steps.items():
+        longest = max(times, key=lambda each: each[1])
+        # The first time and the longest, in the middle, and near the beginning and the end of a long one.
+        moments = {(begin, share * lasts) for begin, lasts in {times[0], longest} for share in ((0.1, 0.5, 0.9) if lasts > 1 else (0.5,))}
+        moments = {moment for moment in moments if sum(moment) < LONGEST / 2} or {(times[0][0], times[0][1] / 2)}
+        yield step, sorted(moments), still.get(step, 0.0)
+
+
+def cancelled_after(panel, step, begin, wait):
+    """Seconds from Cancel, pressed `wait` after `begin`, or when the step comes after that, to a panel that can be used; None when the step
+    did not come again (the part is read once)."""
+    child(panel.form, "mesh_button").click()
+    job, start = panel.job, time.monotonic()
+    while panel.job is job and (job.step != step or time.monotonic() - start < begin * 0.9):
+        live(0.002)
+        if time.monotonic() - start > 1.5 * begin + 2 and not job.was_cancelled:
+            child(panel.form, "cancel_button").click()
+            wait_until(lambda: panel.job is None)
+            return None
+    there = time.monotonic()
+    while panel.job is job and job.step == step and time.monotonic() - there < wait:
+        live(0.002)
+    if panel.job is not job:
+        panel.document.removeObject(panel.mesh.Name) if panel.mesh is not None else None
+        panel.mesh = None
+        return None
+    start = time.monotonic()
+    child(panel.form, "cancel_button").click()
+    wait_until(lambda: panel.job is None and panel.mesh_button.isEnabled())
+    return time.monotonic() - start
 
 
 def run():

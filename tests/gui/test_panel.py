@@ -1,6 +1,7 @@
 # HexFeatureWB - LGPL-2.1-or-later
 """The task panel: preview, meshing, Cancel, failures, what can be selected."""
 import threading
+import types
 
 import driver
 import FreeCAD
@@ -10,7 +11,7 @@ from driver import child, live, picture, wait_until
 from gui_test import GuiTest
 
 import HexFeatureWB
-from HexFeatureWB import fem_mesh, mesh_object
+from HexFeatureWB import core, fem_mesh, mesh_object, meshing
 from HexFeatureWB.gui import messages, run, selection, task_panel
 from HexFeatureWB.job import Job
 
@@ -64,6 +65,20 @@ class TestTaskPanel(GuiTest):
         if len(shown) > 1:  # on a fast machine the repair may be over before anyone has looked
             self.assertFalse(shown[0][0])
             self.assertNotEqual(shown[0][1], shown[1][1])
+
+    def test_a_method_without_labels_has_no_preview(self):
+        document, part = driver.show_part(make_parts.box())
+        panel = self.open_panel(part)
+        wait_until(lambda: not panel.preview.busy)
+        self.assertTrue(panel.preview.stages)
+        panel.options["method"].set_value("tet-split")
+        live(0.5)
+        self.assertFalse(panel.preview.busy or panel.preview.stages)
+        self.assertTrue(part.ViewObject.Visibility)
+        self.assertIn("neither labels", panel.preview_text.text())
+        panel.options["method"].set_value("auto")
+        wait_until(lambda: not panel.preview.busy)
+        self.assertTrue(panel.preview.stages)
 
     def test_the_preview_shows_every_solid(self):
         import Part
@@ -167,6 +182,32 @@ class TestTaskPanel(GuiTest):
         self.assertEqual(shown, [2])  # how it is picked, the mesh
         self.assertEqual(panel.preview._root.getNumChildren(), 1)
         self.assertTrue(panel.mesh.ViewObject.Visibility)
+
+    def test_a_mesh_is_taken_though_the_part_was_drawn_anew(self):
+        document, part = driver.show_part(make_parts.bracket().Solids[0])
+        part.Shape.isValid()  # OpenCASCADE notes that it was checked
+        panel = self.open_panel(part)
+        panel.size.set_value(8.0)
+        wait_until(lambda: not panel.preview.busy)
+        child(panel.form, "mesh_button").click()
+        part.ViewObject.Visibility = True
+        part.ViewObject.Deviation = 0.05  # and forgets it when it is drawn
+        live(0.1)
+        load = meshing.core.load
+
+        class Core:
+            def __getattr__(self, name):
+                if name == "mesh_brep":
+                    raise AssertionError("meshed in the main thread")
+                return getattr(load(), name)
+
+        wait_until(lambda: not panel.job.is_alive())
+        meshing.core = types.SimpleNamespace(load=Core)
+        try:
+            wait_until(lambda: panel.job is None)
+        finally:
+            meshing.core = core
+        self.assertEqual(panel.mesh.HexCount, panel.mesh.FemMesh.VolumeCount)
 
     def test_closing_the_panel_leaves_nothing_behind(self):
         document, part = driver.show_part(make_parts.box())

@@ -5,6 +5,7 @@ import re
 import shutil
 import sys
 import tempfile
+import time
 import unittest
 
 import driver
@@ -46,11 +47,34 @@ class TestMacro(GuiTest):
         mesh = document.getObject("Part_Mesh")
         count = mesh.HexCount
         document.removeObject(mesh.Name)
+        part.ViewObject.Visibility = True
         exec("\n".join(lines), {"App": FreeCAD, "Gui": FreeCADGui})
         again = document.getObject("Part_Mesh")
         view = again.ViewObject
+        self.assertEqual((view.Visibility, part.ViewObject.Visibility), (True, False))
         self.assertEqual((again.HexCount, view.CutAxis, view.CutPosition, view.DisplayMode), (count, "X", 80, "Quality"))
         self.assertEqual(sum("CutPosition" in line for line in lines), 1)
+
+    def test_mesh_again_with_other_options(self):
+        document, part = driver.show_part(make_parts.box())
+        mesh = self.mesh(part, 5)
+
+        def again():
+            FreeCADGui.ActiveDocument.setEdit(mesh, 0)
+            live()
+            panel = task_panel.current
+            panel.size.set_value(2.5)
+            panel.options["order"].set_value(1)
+            child(panel.form, "mesh_button").click()
+            wait_until(lambda: panel.job is None)
+            panel.reject()
+
+        lines = self.recorded(again)
+        made = mesh.HexCount, mesh.FemMesh.NodeCount
+        HexFeatureWB.refresh(mesh, size=5, order=2)
+        self.assertNotEqual((mesh.HexCount, mesh.FemMesh.NodeCount), made)
+        exec("\n".join(lines), {"App": FreeCAD, "Gui": FreeCADGui})
+        self.assertEqual((mesh.HexCount, mesh.FemMesh.NodeCount), made)
 
     def test_refresh_models_and_export(self):
         document, part = driver.show_part(make_parts.box())
@@ -205,8 +229,16 @@ class TestZGerman(GuiTest):
             self.assertIsNone(job.error)
             lines += job.lines
         self.assertGreater(len(lines), 60)
+        many = " ".join(map(str, range(1, 300)))
+        lines += ["  9.00 s  labels: does not fill after 3 rounds: the inside leaks: the axes disagree, charts " + many,
+                  "  9.00 s  CAD faces without quads: {0}; not covered: {0} (largest gap 0.1); sharp edges not followed: {0}; "
+                  "corners lost: none".format(many)]
         FreeCADGui.setLocale("German")
         try:
+            start = time.monotonic()
+            for line in [*lines, "what nobody knows " + many, "%s nobody knows %s" % (many, many)]:
+                messages.log_in_words(line)
+            self.assertLess(time.monotonic() - start, 2)  # the window stands still meanwhile
             for line in lines:
                 words = messages.log_in_words(line)
                 self.assertNotEqual(words, line)
@@ -222,7 +254,8 @@ class TestZGerman(GuiTest):
         try:
             for name in mesh.PropertiesList:
                 if mesh.getGroupOfProperty(name).startswith("Hex mesh"):
-                    for text in (re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name), mesh.getDocumentationOfProperty(name)):
+                    for text in (re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name), mesh.getDocumentationOfProperty(name),
+                                 mesh.getGroupOfProperty(name)):
                         self.assertTrue(text in ("Beta", "Threads") or FreeCAD.Qt.translate("App::Property", text) != text, text)
         finally:
             FreeCADGui.setLocale("English")

@@ -9,6 +9,7 @@ from PySide import QtCore, QtGui
 
 from .. import batch, mesh_object, meshing
 from ..job import Job
+from ..source import brep_of
 from ..translate import tr
 from . import messages, record, settings
 from .run import PATIENCE, POLL, POLL_CANCELLED
@@ -136,7 +137,7 @@ class BatchDialog(QtGui.QDialog):
             if isinstance(item, batch.Item):
                 self._item, self._began = item, time.time()
                 options = item.options(self.options)
-                self.job = Job(item.shape.exportBrepToString(), dict(options, size=options.get("size", 0.0))).start()
+                self.job = Job(brep_of(item.shape), dict(options, size=options.get("size", 0.0))).start()
                 return
             self._add(item)
             return

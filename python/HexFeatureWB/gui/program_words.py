@@ -12,7 +12,10 @@ from . import widgets
 #: every message that has values in it, %1, %2, ...: made by packaging/translations.py
 TEMPLATES = os.path.join(os.path.dirname(ICONS), "translations", "messages.json")
 PIECES = re.compile(r": (?![^(]*\))")
-LABEL_OR_NUMBER = r"[+-][XYZ]|[+-]?\d[\d.]*(?:e[+-]?\d+)?|inf|-?nan"
+VALUE = r"(?:[+-][XYZ]|[+-]?\d[\d.]*(?:e[+-]?\d+)?|inf|-?nan)"  #: a label or a number
+VALUES = re.compile(r"%s(?:,? %s)*" % (VALUE, VALUE))
+#: what the program puts round a message: numbers or labels behind it, brackets behind it, a count before it
+LONGER = [re.compile(pattern, re.DOTALL) for pattern in (r"()(.*?\S)((?: %s)+)" % VALUE, r"()(.*\S)( \([^()]*\))", r"(\d+ )(\D.*)()")]
 
 
 def step_titles():
@@ -69,7 +72,7 @@ def _piece(piece):
     bare = piece.strip(" ")
     if bare != piece:
         return piece[:len(piece) - len(piece.lstrip(" "))] + _piece(bare) + piece[len(piece.rstrip(" ")):] if bare else piece
-    if not piece or re.fullmatch(LABEL_OR_NUMBER, piece):
+    if not piece or VALUES.fullmatch(piece):
         return piece
     if piece in step_titles():
         return step_title(piece)
@@ -94,8 +97,8 @@ def _tail(piece):
     option, space, rest = piece.partition(" ")
     if space and widgets.has_title(option):
         return widgets.title_of(option) + " " + _piece(rest)
-    for pattern in (r"()(.*\S)((?: (?:%s))+)" % LABEL_OR_NUMBER, r"()(.*\S)( \([^()]*\))", r"(\d+ )(.*\D.*)()"):
-        longer = re.fullmatch(pattern, piece)
+    for pattern in LONGER:
+        longer = pattern.fullmatch(piece)
         words = longer and _piece(longer[2])
         if longer and words != longer[2]:
             return longer[1] + words + longer[3]

@@ -56,9 +56,15 @@ def refresh(mesh, options=None, solid=None):
     do("HexFeatureWB.refresh(%s)" % ", ".join([reference(mesh), *changed]))
 
 
-def set_view(mesh, name, value):
-    """A property of how the mesh is shown."""
-    do("Gui.getDocument(%r).getObject(%r).%s = %r" % (mesh.Document.Name, mesh.Name, name, value))
+def set_view(obj, name, value):
+    """A property of how an object is shown."""
+    do("Gui.getDocument(%r).getObject(%r).%s = %r" % (obj.Document.Name, obj.Name, name, value))
+
+
+def show(obj, visible):
+    """Show or hide an object, unless it is so."""
+    if obj.ViewObject.Visibility != visible:
+        set_view(obj, "Visibility", visible)
 
 
 def make_model(kind, source, options, solid=0):

@@ -5,7 +5,7 @@ import FreeCADGui
 from PySide import QtGui
 
 from .. import mesh_object, meshing
-from ..source import names_of, shape_to_mesh
+from ..source import brep_of, names_of, shape_to_mesh
 from ..translate import tr
 from . import messages, record
 from .run import Run
@@ -48,7 +48,7 @@ class RefreshPanel:
         while self.waiting:
             self.mesh = self.waiting.pop(0)
             try:
-                brep = shape_to_mesh(mesh_object.source_of(self.mesh), self.mesh.Solid).exportBrepToString()
+                brep = brep_of(shape_to_mesh(mesh_object.source_of(self.mesh), self.mesh.Solid))
             except meshing.MeshingError as error:
                 self._failed(error)
                 continue

@@ -7,7 +7,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from .. import mesh_object, meshing
-from ..source import names_of, shape_to_mesh, solids_of
+from ..source import brep_of, names_of, shape_to_mesh, solids_of
 from ..translate import tr
 from . import messages, record, settings
 from .preview import Preview, reading_job
@@ -43,7 +43,7 @@ class HexMeshPanel:
         """A worker that reads the part while the panel is made, which takes as long: the core keeps it for the first preview. None where
         there is nothing to read, which the preview will say."""
         try:
-            brep = shape_to_mesh(self.source, min(solid, len(solids_of(self.source)))).exportBrepToString()
+            brep = brep_of(shape_to_mesh(self.source, min(solid, len(solids_of(self.source)))))
         except meshing.MeshingError:
             return None
         return reading_job(brep, self._length() / 20).start()
@@ -214,10 +214,15 @@ class HexMeshPanel:
             self._show_part()
             self.preview_text.setText("")
             return
+        if self.options["method"].value() == "tet-split":
+            self.preview.clear()
+            self._show_part()
+            self.preview_text.setText(tr("this method has neither labels nor feature lines"))
+            return
         self.preview_text.setText(tr("looking at the part ..."))
         reading, self._reading = self._reading, None
         try:
-            self.preview.show(self._shape().exportBrepToString(), self.chosen(), reading)
+            self.preview.show(brep_of(self._shape()), self.chosen(), reading)
         except meshing.MeshingError as error:
             self._preview_says(messages.in_words(error.reason))
 
@@ -267,7 +272,7 @@ class HexMeshPanel:
         self.log.clear()
         self._shown_lines, self._mesh_drawn = 0, False
         try:
-            brep = self._shape().exportBrepToString()
+            brep = brep_of(self._shape())
         except meshing.MeshingError as error:
             self.state.setText(messages.failure_text(error, None))
             return
@@ -328,12 +333,11 @@ class HexMeshPanel:
         except meshing.MeshingError as error:
             self._failed(error)
             return
-        view = self.mesh.ViewObject
-        view.Visibility = True
+        record.show(self.mesh, True)
         if settings.switch("HidePart"):
-            self.source.ViewObject.Visibility = False
+            record.show(self.source, False)
         if settings.switch("QualityAfterMeshing"):
-            view.DisplayMode = "Quality"
+            record.set_view(self.mesh, "DisplayMode", "Quality")
         self.bar.setValue(1000)
         self.state.setText(messages.success_text(self.mesh))
         self.state.reveal()
@@ -368,7 +372,7 @@ class HexMeshPanel:
         self.preview.remove()
         self._show_part()
         if self.mesh is not None and settings.switch("HidePart") and self.mesh.ViewObject.Visibility:
-            self.source.ViewObject.Visibility = False
+            record.show(self.source, False)
         FreeCADGui.getDocument(self.document.Name).resetEdit()
         FreeCADGui.Control.closeDialog()
         return True
