@@ -566,7 +566,7 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
     </message>
     <message>
       <source>Layers, at least</source>
-      <translation>Schichten, mindestens</translation>
+      <translation>Schichten, mind.</translation>
     </message>
     <message>
       <source>Log</source>
@@ -1126,7 +1126,7 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
     </message>
     <message>
       <source>first (8 nodes)</source>
-      <translation>erste (8 Knoten)</translation>
+      <translation>erste, 8 Knoten</translation>
     </message>
     <message>
       <source>fitting to the part</source>
@@ -1446,7 +1446,7 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
     </message>
     <message>
       <source>second (20 nodes)</source>
-      <translation>zweite (20 Knoten)</translation>
+      <translation>zweite, 20 Knoten</translation>
     </message>
     <message>
       <source>second order</source>

@@ -189,10 +189,6 @@ class TestTaskPanel(GuiTest):
         panel = self.open_panel(part)
         panel.size.set_value(8.0)
         wait_until(lambda: not panel.preview.busy)
-        child(panel.form, "mesh_button").click()
-        part.ViewObject.Visibility = True
-        part.ViewObject.Deviation = 0.05  # and forgets it when it is drawn
-        live(0.1)
         load = meshing.core.load
 
         class Core:
@@ -201,9 +197,11 @@ class TestTaskPanel(GuiTest):
                     raise AssertionError("meshed in the main thread")
                 return getattr(load(), name)
 
-        wait_until(lambda: not panel.job.is_alive())
         meshing.core = types.SimpleNamespace(load=Core)
         try:
+            child(panel.form, "mesh_button").click()
+            part.ViewObject.Visibility = True
+            part.ViewObject.Deviation = 0.05  # and forgets it when it is drawn
             wait_until(lambda: panel.job is None)
         finally:
             meshing.core = core
