@@ -506,7 +506,7 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
     </message>
     <message>
       <source>Farthest from the CAD</source>
-      <translation>Größter Abstand vom CAD</translation>
+      <translation>Abstand vom CAD</translation>
     </message>
     <message>
       <source>Feature lines</source>
@@ -558,7 +558,7 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
     </message>
     <message>
       <source>Keep this view when closed</source>
-      <translation>Diese Ansicht nach dem Schließen behalten</translation>
+      <translation>Ansicht behalten</translation>
     </message>
     <message>
       <source>Labels</source>
@@ -662,11 +662,11 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
     </message>
     <message>
       <source>Scaled Jacobian, mean</source>
-      <translation>Skalierte Jacobi-Det., Mittel</translation>
+      <translation>Skal. Jacobi, Mittel</translation>
     </message>
     <message>
       <source>Scaled Jacobian, worst</source>
-      <translation>Skalierte Jacobi-Det., schlechteste</translation>
+      <translation>Skal. Jacobi, schlechteste</translation>
     </message>
     <message>
       <source>Seconds</source>

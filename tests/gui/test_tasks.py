@@ -23,6 +23,9 @@ from HexFeatureWB.job import Job
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
 
+COLUMN = 245  #: pixels of FreeCAD's task column as it is at first; what is wider is cut off
+
+
 class TestMacro(GuiTest):
     """Each action leaves lines that repeat it."""
 
@@ -273,6 +276,7 @@ class TestZGerman(GuiTest):
             panel = task_panel.open_panel(part)
             wait_until(lambda: not panel.preview.busy)
             self.assertEqual(panel.mesh_button.text(), "Vernetzen")
+            self.assertLess(panel.form.minimumSizeHint().width(), COLUMN)
             picture("panel-german")
             panel.size.set_value(1e4)
             wait_until(lambda: not panel.preview.busy)
@@ -281,5 +285,10 @@ class TestZGerman(GuiTest):
             self.assertIn("die Elementgröße ist größer als das Teil", panel.state.text())
             self.assertIn("Länge des Teils von ", panel.state.text())
             panel.reject()
+            quality = quality_panel.open_panel(HexFeatureWB.mesh(part, size=5))
+            live()
+            self.assertLess(quality.form.minimumSizeHint().width(), COLUMN)
+            picture("quality-german")
+            quality.reject()
         finally:
             FreeCADGui.setLocale("English")

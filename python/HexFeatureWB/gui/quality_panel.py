@@ -7,7 +7,7 @@ from PySide import QtCore, QtGui
 
 from ..translate import tr
 from . import messages, record, scene
-from .widgets import choice_title, number
+from .widgets import Words, beside_or_below, choice_title, number
 
 AXES = ("None", "X", "Y", "Z")
 
@@ -50,9 +50,8 @@ class QualityPanel:
         form.setWindowTitle(tr("Mesh quality"))
         form.setWindowIcon(messages.qicon("HexFeature_Quality"))
         column = QtGui.QVBoxLayout(form)
-        figures = QtGui.QLabel(self._figures())
-        figures.setObjectName("figures")
-        figures.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+        figures = Words("figures")
+        figures.setText(self._figures())
         column.addWidget(figures)
         report = json.loads(self.mesh.Report) if self.mesh.Report else {}
         histogram = report.get("quality", {}).get("histogram", [])
@@ -74,9 +73,7 @@ class QualityPanel:
         self.worst = QtGui.QPushButton(tr("The ten worst"))
         self.worst.setObjectName("worst")
         self.worst.clicked.connect(self._ten_worst)
-        row = QtGui.QHBoxLayout()
-        row.addWidget(self.below)
-        row.addWidget(self.worst)
+        row = beside_or_below(self.below, self.worst)
         grid.addRow(tr("Only elements below"), row)
         grid.addRow("", self.shown)
         self.axis = QtGui.QComboBox()

@@ -12,7 +12,7 @@ from ..translate import tr
 from . import messages, record, settings
 from .preview import Preview, reading_job
 from .run import BUILDING, Run
-from .widgets import Fold, LengthEdit, OptionWidget, Words, nice, number, title_of
+from .widgets import Fold, LengthEdit, OptionWidget, Words, beside_or_below, nice, number, title_of
 
 STEPS = 200  #: of the slider
 
@@ -115,15 +115,13 @@ class HexMeshPanel:
     def _build_preview(self):
         box = QtGui.QGroupBox(tr("Preview"))
         column = QtGui.QVBoxLayout(box)
-        row = QtGui.QHBoxLayout()
         self.show_lines, self.show_labels = QtGui.QCheckBox(tr("Feature lines")), QtGui.QCheckBox(tr("Labels"))
         for check, name in ((self.show_lines, "PreviewLines"), (self.show_labels, "PreviewLabels")):
             check.setObjectName(name)
             check.setChecked(settings.switch(name))
             check.toggled.connect(self._preview_switched)
-            row.addWidget(check)
         self.preview_text = Words("preview_text")
-        column.addLayout(row)
+        column.addLayout(beside_or_below(self.show_lines, self.show_labels))
         column.addWidget(self.preview_text)
         return box
 

@@ -6,6 +6,7 @@ from PySide import QtCore, QtGui
 from ..translate import tr
 
 
+NARROW = 190  #: pixels that a row of a panel may need
 SETTLED = 150  #: ms after which a panel's layout may have settled
 
 
@@ -120,6 +121,15 @@ class LengthEdit:
 
     def set_step(self, millimetres):
         self.widget.setProperty("singleStep", millimetres)
+
+
+def beside_or_below(*widgets):
+    """A layout of widgets side by side, or one below the other where a language's words would make FreeCAD's task column too wide."""
+    wide = sum(widget.sizeHint().width() for widget in widgets) > NARROW
+    row = QtGui.QVBoxLayout() if wide else QtGui.QHBoxLayout()
+    for widget in widgets:
+        row.addWidget(widget)
+    return row
 
 
 def nice(value):
