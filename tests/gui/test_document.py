@@ -127,10 +127,12 @@ class TestQuality(GuiTest):
         mesh = self.mesh(part, 5)
         FreeCADGui.Selection.clearSelection()
         live(0.5)
+        part.ViewObject.Visibility = True
         driver.action("Mesh quality").trigger()
         panel = quality_panel.current
         view = mesh.ViewObject
         self.assertEqual(view.DisplayMode, "Quality")
+        self.assertFalse(part.ViewObject.Visibility)
         driver.look()
         self.assertGreater(driver.colours_of_view()["blue"], 500)
         picture("quality")
@@ -156,6 +158,7 @@ class TestQuality(GuiTest):
         picture("quality-worst")
         panel.reject()
         self.assertNotEqual(view.DisplayMode, "Quality")
+        self.assertTrue(part.ViewObject.Visibility)
 
 
 class TestModels(GuiTest):

@@ -5,6 +5,7 @@ import json
 import FreeCADGui
 from PySide import QtCore, QtGui
 
+from .. import mesh_object
 from ..translate import tr
 from . import messages, record, scene
 from .widgets import Words, beside_or_below, choice_title, number
@@ -44,6 +45,11 @@ class QualityPanel:
         self.form = self._build()
         self._set("DisplayMode", "Quality")
         self._set("Visibility", True)
+        # The part would be drawn into its mesh.
+        part = mesh_object.source_of(mesh)
+        self._hidden = part if part is not None and part.ViewObject.Visibility else None
+        if self._hidden:
+            record.show(part, False)
 
     def _build(self):
         form = QtGui.QWidget()
@@ -171,6 +177,8 @@ class QualityPanel:
     def reject(self):
         if not self.keep.isChecked() and self._before != "Quality":
             self._set("DisplayMode", self._before)
+            if self._hidden:
+                record.show(self._hidden, True)
         FreeCADGui.Control.closeDialog()
         return True
 
