@@ -33,7 +33,8 @@ make_root() {
     # What packaging/debian-packages.txt asks for, by names that all suites have; CalculiX is not in every one.
     chroot "$root" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends \
       freecad freecad-python3 xvfb xauth libgl1-mesa-dri libxtst6 g++ cmake ninja-build ccache make git \
-      libeigen3-dev liblemon-dev libnglib-dev libtbb-dev pybind11-dev python3-dev python3-numpy python3-h5py python3-meshio python3-vtk9 \
+      libeigen3-dev libfontconfig-dev liblemon-dev libnglib-dev libtbb-dev pybind11-dev \
+      python3-dev python3-numpy python3-h5py python3-meshio python3-vtk9 \
       libocct-data-exchange-dev libocct-foundation-dev libocct-modeling-algorithms-dev libocct-modeling-data-dev libocct-ocaf-dev \
       libocct-visualization-dev >/dev/null
     chroot "$root" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends calculix-ccx >/dev/null 2>&1 ||
