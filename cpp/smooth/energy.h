@@ -47,9 +47,10 @@ class HexEnergy {
   /// what makes an unscaled descent crawl. Elements for which the energy is not defined count as perfect ones.
   void stiffness(const double* x, const EnergyTerms& terms, std::vector<double>& blocks) const;
 
+  double add_spans(const double* x, bool barrier, double* gradient) const;
+
  private:
   int frame_count(int group) const;
-  double add_spans(const double* x, bool barrier, double* gradient) const;
 
   int hexes_, points_;
   std::vector<int> nodes_;             ///< per group of four elements: 8 nodes x 4 lanes, as offsets into x

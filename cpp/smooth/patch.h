@@ -1,5 +1,6 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #pragma once
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <vector>
@@ -35,6 +36,23 @@ struct Grade {
 /// Scaled Jacobian of each element; 0 where it is positive but the element is not proved so everywhere.
 void measure(const HexComplex& mesh, Workers& workers, std::vector<double>& quality);
 Grade grade_of(const std::vector<double>& quality);
+
+/// Points of the elements that `chosen` accepts, and `rings` elements farther.
+template <class Chosen>
+std::vector<char> points_near(const HexComplex& mesh, int rings, Chosen chosen) {
+  std::vector<char> marked(mesh.points.size(), 0);
+  for (int h = 0; h < mesh.hex_count(); ++h)
+    if (chosen(h))
+      for (int v : mesh.hexes[h]) marked[v] = 1;
+  for (int ring = 0; ring < rings; ++ring) {
+    std::vector<char> next = marked;
+    for (const auto& hex : mesh.hexes)
+      if (std::any_of(hex.begin(), hex.end(), [&](int v) { return marked[v] != 0; }))
+        for (int v : hex) next[v] = 1;
+    marked.swap(next);
+  }
+  return marked;
+}
 
 /// A part of the mesh (or all of it) that one stage works on: some elements, with the points that may move. The points of
 /// the rim, which belong to other elements too, do not.
@@ -91,7 +109,9 @@ void slide(Patch& patch);
 void lift_worst(HexComplex& mesh, SmoothSetting& setting);
 /// (5): what (4) could not lift for some other place's sake: one bad place after the other, each with its neighbourhood alone.
 void lift_places(HexComplex& mesh, SmoothSetting& setting);
-/// (6): the last bad elements, point by point, by their scaled Jacobian itself.
+/// (6): the least scaled Jacobian itself, at one bad place after the other.
+void raise_minimum(HexComplex& mesh, SmoothSetting& setting);
+/// (7): the last bad elements, point by point, by their scaled Jacobian itself.
 void polish_worst(HexComplex& mesh, SmoothSetting& setting);
 
 }  // namespace hexfeature

@@ -129,6 +129,7 @@ SmoothReport smooth(HexComplex& mesh, const Projector& projector, const SmoothOp
     if (options.worst_stage) {
       lift_worst(mesh, setting);
       lift_places(mesh, setting);
+      raise_minimum(mesh, setting);
       polish_worst(mesh, setting);
     }
     report.deviation = settle(mesh, setting);

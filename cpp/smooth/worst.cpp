@@ -8,23 +8,6 @@
 namespace hexfeature {
 namespace {
 
-/// Points of the elements that `chosen` accepts, and `rings` elements farther.
-template <class Chosen>
-std::vector<char> points_near(const HexComplex& mesh, int rings, Chosen chosen) {
-  std::vector<char> marked(mesh.points.size(), 0);
-  for (int h = 0; h < mesh.hex_count(); ++h)
-    if (chosen(h))
-      for (int v : mesh.hexes[h]) marked[v] = 1;
-  for (int ring = 0; ring < rings; ++ring) {
-    std::vector<char> next = marked;
-    for (const auto& hex : mesh.hexes)
-      if (std::any_of(hex.begin(), hex.end(), [&](int v) { return marked[v] != 0; }))
-        for (int v : hex) next[v] = 1;
-    marked.swap(next);
-  }
-  return marked;
-}
-
 /// One sweep over the powers on the patch. Leaves it in its best state seen, on the CAD; returns how far its merit rose.
 template <class Merit>
 double sweep(Patch& patch, const std::vector<int>& powers, Merit merit) {
@@ -73,17 +56,20 @@ double sweep(Patch& patch, const std::vector<int>& powers, Merit merit) {
 }  // namespace
 
 void lift_worst(HexComplex& mesh, SmoothSetting& setting) {
-  constexpr int kSweeps = 6;
+  const bool brief = setting.options.brief;
+  const int sweeps = brief ? 1 : 6;
   constexpr double kLeastGain = 0.003;
   std::vector<double> quality;
-  for (int k = 0; k < kSweeps; ++k) {
-    setting.context.progress("smooth", 0.8 + 0.15 * k / kSweeps);
+  for (int k = 0; k < sweeps; ++k) {
+    setting.context.progress("smooth", 0.8 + 0.15 * k / sweeps);
     measure(mesh, setting.workers, quality);
     const double worst = *std::min_element(quality.begin(), quality.end());
-    const double limit = std::clamp(worst + 0.25, 0.5, 0.95);
+    const double limit = std::clamp(worst + 0.25, brief ? 0.3 : 0.5, 0.95);
     if (!(worst > 0) || worst >= limit) return;
     Patch patch(mesh, points_near(mesh, 2, [&](int h) { return quality[h] < limit; }), setting);
-    const double gain = sweep(patch, k == 0 ? std::vector<int>{1, 1, 2, 2, 4, 4, 8, 8, 16} : std::vector<int>{4, 8, 16, 16},
+    const double gain = sweep(patch, brief    ? std::vector<int>{2, 4, 8}
+                                     : k == 0 ? std::vector<int>{1, 1, 2, 2, 4, 4, 8, 8, 16}
+                                              : std::vector<int>{4, 8, 16, 16},
                               [](const Grade& g) { return g.min_sj; });
     if (gain > 0) patch.write_back(mesh);
     if (gain < kLeastGain) return;

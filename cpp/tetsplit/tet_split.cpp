@@ -65,6 +65,7 @@ HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const
   smoothing.size = h;
   smoothing.threads = options.threads;
   smoothing.least_target = 0.02;
+  smoothing.brief = true;
   std::optional<HexComplex> best;
   std::optional<Remesher> cut;  // without the tips of faces
   int work = 0;

@@ -376,3 +376,47 @@ TEST_CASE("the last bad elements are polished point by point, within bounds") {
   polish_worst(c, setting);
   CHECK(c.points == once.points);
 }
+
+TEST_CASE("the least scaled Jacobian is raised where points must move together") {
+  HexComplex start = box_mesh({3, 3, 3}, Vec3(3, 3, 3));
+  const BoxProjector box(Vec3(3, 3, 3));
+  for (Vec3& p : start.points)  // the eight points inside turned about the middle, and pushed aside
+    if ((p - Vec3(1.5, 1.5, 1.5)).cwiseAbs().maxCoeff() < 1) {
+      const Vec3 d = p - Vec3(1.5, 1.5, 1.5);
+      p += 0.65 * Vec3(-d.y(), d.x(), 0) + Vec3(0.22, 0.18, 0.1);
+    }
+  const auto worst = [](const HexComplex& c) {
+    const std::vector<double> q = proved_scaled_jacobians(c.points, c.hexes);
+    return *std::min_element(q.begin(), q.end());
+  };
+  const double bad = worst(start);
+  REQUIRE(bad > 0);
+  REQUIRE(bad < 0.2);
+  const SmoothOptions options = sized(1);
+  const auto raised = [&](int threads, char held, std::vector<Span> spans) {
+    Workers workers(threads, context);
+    SmoothSetting setting{box, options, context, workers, std::vector<double>(start.hexes.size(), 1), std::move(spans),
+                          std::vector<char>(start.points.size(), held)};
+    HexComplex c = start;
+    raise_minimum(c, setting);
+    return c;
+  };
+  CHECK(raised(1, 1, {}).points == start.points);
+  const HexComplex c = raised(1, 0, {});
+  HexComplex polished = start;
+  {
+    Workers workers(1, context);
+    SmoothSetting setting{box, options, context, workers, {}, {}, std::vector<char>(start.points.size(), 0)};
+    polish_worst(polished, setting);
+  }
+  CHECK(worst(c) > 0.99);
+  CHECK(worst(polished) < 0.4);
+  for (int v = 0; v < c.point_count(); ++v)
+    if (c.place[v].dim == 2) CHECK((box.project_to_face(c.place[v].entity, c.points[v], nullptr).point - c.points[v]).norm() < 1e-12);
+  CHECK(raised(2, 0, {}).points == c.points);
+  // A mesh edge along a CAD curve that is as long as it should be does not grow by more than its barrier allows.
+  const auto& e = start.hexes[13];
+  const double length = (start.points[e[0]] - start.points[e[1]]).norm();
+  const HexComplex tied = raised(1, 0, {{e[0], e[1], length, 0}});
+  CHECK((tied.points[e[0]] - tied.points[e[1]]).norm() < std::sqrt(1.2) * length);
+}
