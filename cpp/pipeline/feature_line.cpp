@@ -92,8 +92,8 @@ SheetTrial smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shap
     if (without.empty() && run.options.sheets) run.complete();
     run.begin("smooth");
     trial.smoothing = smooth(trial.mesh, *geometry.projector, smoothing, run.context);
-    run.context.log("with " + std::to_string(trial.sheets.inserted) + " sheets: min SJ " + std::to_string(trial.smoothing.min_sj) + ", inverted " +
-                    std::to_string(trial.smoothing.inverted) + " of " + std::to_string(trial.mesh.hex_count()));
+    run.context.log("with " + std::to_string(trial.sheets.inserted) + " sheets: min SJ " + std::to_string(trial.smoothing.min_sj) +
+                    ", inverted " + std::to_string(trial.smoothing.inverted) + " of " + std::to_string(trial.mesh.hex_count()));
     if (trial.smoothing.inverted == 0) trial.worth = worth_of(trial.mesh, trial.smoothing, task);
     if (trial.smoothing.inverted > 0) vain += trial.mesh.hex_count();
     for (int s :

@@ -10,9 +10,9 @@
 namespace hexfeature {
 namespace {
 
-constexpr double kLimit = 0.32;        ///< scaled Jacobian below which an element is a bad place
-constexpr double kLeastGain = 0.002;   ///< of a place
-constexpr double kLeastEdge = 0.06;    ///< of h: a mesh edge that is shorter gets no more than a tenth shorter still
+constexpr double kLimit = 0.32;       ///< scaled Jacobian below which an element is a bad place
+constexpr double kLeastGain = 0.002;  ///< of a place
+constexpr double kLeastEdge = 0.06;   ///< of h: a mesh edge that is shorter gets no more than a tenth shorter still
 constexpr int kPlaces = 60;
 constexpr std::array<double, 5> kPowers{12, 24, 48, 96, 192};
 

@@ -67,9 +67,10 @@ void lift_worst(HexComplex& mesh, SmoothSetting& setting) {
     const double limit = std::clamp(worst + 0.25, brief ? 0.3 : 0.5, 0.95);
     if (!(worst > 0) || worst >= limit) return;
     Patch patch(mesh, points_near(mesh, 2, [&](int h) { return quality[h] < limit; }), setting);
-    const double gain = sweep(patch, brief    ? std::vector<int>{2, 4, 8}
-                                     : k == 0 ? std::vector<int>{1, 1, 2, 2, 4, 4, 8, 8, 16}
-                                              : std::vector<int>{4, 8, 16, 16},
+    const double gain = sweep(patch,
+                              brief    ? std::vector<int>{2, 4, 8}
+                              : k == 0 ? std::vector<int>{1, 1, 2, 2, 4, 4, 8, 8, 16}
+                                       : std::vector<int>{4, 8, 16, 16},
                               [](const Grade& g) { return g.min_sj; });
     if (gain > 0) patch.write_back(mesh);
     if (gain < kLeastGain) return;

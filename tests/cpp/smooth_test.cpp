@@ -395,7 +395,12 @@ TEST_CASE("the least scaled Jacobian is raised where points must move together")
   const SmoothOptions options = sized(1);
   const auto raised = [&](int threads, char held, std::vector<Span> spans) {
     Workers workers(threads, context);
-    SmoothSetting setting{box, options, context, workers, std::vector<double>(start.hexes.size(), 1), std::move(spans),
+    SmoothSetting setting{box,
+                          options,
+                          context,
+                          workers,
+                          std::vector<double>(start.hexes.size(), 1),
+                          std::move(spans),
                           std::vector<char>(start.points.size(), held)};
     HexComplex c = start;
     raise_minimum(c, setting);
