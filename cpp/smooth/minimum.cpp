@@ -11,6 +11,7 @@ namespace hexfeature {
 namespace {
 
 constexpr double kLimit = 0.32;       ///< scaled Jacobian below which an element is a bad place
+constexpr double kGoal = 0.9;          ///< ... and as long as it is the mesh's worst one
 constexpr double kLeastGain = 0.002;  ///< of a place
 constexpr double kLeastEdge = 0.06;   ///< of h: a mesh edge that is shorter gets no more than a tenth shorter still
 constexpr int kPlaces = 60;
@@ -193,14 +194,16 @@ void raise_minimum(HexComplex& mesh, SmoothSetting& setting) {
   std::vector<double> quality;
   measure(mesh, setting.workers, quality);
   std::vector<char> settled(mesh.hexes.size(), 0);
+  bool stuck = false;  // the worst element of all stays what it is
   for (int place = 0; place < kPlaces; ++place) {
     int worst = -1;
     for (int h = 0; h < mesh.hex_count(); ++h)
-      if (!settled[h] && quality[h] > 0 && quality[h] < kLimit && (worst < 0 || quality[h] < quality[worst])) worst = h;
+      if (!settled[h] && quality[h] > 0 && quality[h] < (stuck ? kLimit : kGoal) && (worst < 0 || quality[h] < quality[worst])) worst = h;
     if (worst < 0) return;
     Patch patch(mesh, points_near(mesh, 1, [&](int h) { return h == worst; }), setting);
     if (raise(patch) < kLeastGain) {
       settled[worst] = 1;
+      stuck = true;
       continue;
     }
     patch.write_back(mesh);
