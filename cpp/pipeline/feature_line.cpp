@@ -16,7 +16,7 @@ namespace hexfeature {
 namespace {
 
 /// With another method to come, elements of all the meshes of one labelling that stay inverted before it is given up.
-constexpr int kVainWork = 15000;
+constexpr int kVainWork = 12000;
 
 /// A mesh that lost this much (Worth::lost) is not mended by a few lines more.
 constexpr double kHopeless = 0.2;
@@ -209,7 +209,8 @@ HexComplex fit_and_smooth(const HexComplex& lattice, const SurfaceMesh& mesh, co
     rules.once = turned > 0;
     SheetTrial best = smooth_with_sheets(complex, shape, task, rules, vain);
     const int inverted = best.smoothing.inverted;
-    if (turned > 0 && inverted > 0) {
+    const bool in_vain = rules.another_way && vain > kVainWork;
+    if (turned > 0 && inverted > 0 && !in_vain) {
       fit.free_turns = false;
       --round;
       continue;
@@ -221,7 +222,7 @@ HexComplex fit_and_smooth(const HexComplex& lattice, const SurfaceMesh& mesh, co
     if (inverted == 0) return complex;
     std::vector<int> released = fit.released;
     for (int e : edges_to_release(complex, geometry)) released.push_back(e);
-    if (round == kRounds || (rules.another_way && vain > kVainWork) || inverted >= least || released.size() == fit.released.size()) {
+    if (round == kRounds || in_vain || inverted >= least || released.size() == fit.released.size()) {
       run.result.mesh = complex;
       throw MeshingError(Failure::NoMesh, "smooth", std::to_string(inverted) + " elements stay inverted or folded",
                          "try another element size, or simplify the faces named", faces_near_inverted(complex));

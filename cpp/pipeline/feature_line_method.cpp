@@ -14,6 +14,9 @@ constexpr int kSecondLook = 10000;
 /// With another method to come, a mesh of more elements than this that could not be untangled is not tried in another way.
 constexpr int kUntangleOnce = 5000;
 
+/// With another method to come, a mesh that lost more (Worth::lost) is not tried with other labels: they would hardly bring back all.
+constexpr double kLostTooMuch = 0.1;
+
 struct Proposal {
   int frame = 0;
   LabelEffort effort;
@@ -98,6 +101,7 @@ Candidate mesh_by_feature_line(const SolidTask& task) {
     task.record(attempt, start);
     if (hopeless) break;
     if (best && (best->worth.good() || second_chance || best->mesh.hex_count() > kSecondLook)) break;
+    if (best && !best->worth.faithful && best->worth.lost > kLostTooMuch && run.options.method == "auto") break;
   }
   if (!best) throw *first_failure;
   return std::move(*best);
