@@ -11,7 +11,7 @@ namespace hexfeature {
 namespace {
 
 constexpr double kLimit = 0.32;       ///< scaled Jacobian below which an element is a bad place
-constexpr double kGoal = 0.9;          ///< ... and as long as it is the mesh's worst one
+constexpr double kGoal = 0.9;         ///< ... and as long as it is the mesh's worst one
 constexpr double kLeastGain = 0.002;  ///< of a place
 constexpr double kLeastEdge = 0.06;   ///< of h: a mesh edge that is shorter gets no more than a tenth shorter still
 constexpr int kPlaces = 60;
