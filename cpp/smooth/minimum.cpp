@@ -13,7 +13,8 @@ namespace {
 constexpr double kLimit = 0.32;       ///< scaled Jacobian below which an element is a bad place
 constexpr double kGoal = 0.9;         ///< ... and as long as it is the mesh's worst one
 constexpr double kLeastGain = 0.002;  ///< of a place
-constexpr double kLeastEdge = 0.06;   ///< of h: a mesh edge that is shorter gets no more than a tenth shorter still
+constexpr double kShortEdge = 0.06;   ///< of h: a mesh edge gets shorter than this only if it nearly was ...
+constexpr double kLeastEdge = 0.05;   ///< ... and never shorter than this, unless it was
 constexpr int kPlaces = 60;
 constexpr std::array<double, 5> kPowers{12, 24, 48, 96, 192};
 
@@ -57,8 +58,11 @@ class LeastScaledJacobian : public Objective {
     std::sort(edges_.begin(), edges_.end(), [](const Edge& x, const Edge& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
     edges_.erase(std::unique(edges_.begin(), edges_.end(), [](const Edge& x, const Edge& y) { return x.a == y.a && x.b == y.b; }),
                  edges_.end());
-    for (Edge& e : edges_)
-      e.least = std::min(kLeastEdge * patch.setting.options.size, 0.9 * (point(patch.x, e.b) - point(patch.x, e.a)).norm());
+    const double h = patch.setting.options.size;
+    for (Edge& e : edges_) {
+      const double length = (point(patch.x, e.b) - point(patch.x, e.a)).norm();
+      e.least = std::min(kShortEdge * h, std::max(0.9 * length, std::min(kLeastEdge * h, 0.97 * length)));
+    }
     value_.resize(kFrames * patch.hexes.size());
   }
 

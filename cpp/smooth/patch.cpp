@@ -77,7 +77,7 @@ Patch::Patch(const HexComplex& mesh, const std::vector<char>& free_points, Smoot
     const double edge = shortest_edge(x, hex), h = setting.options.size;
     shortest.push_back(std::clamp(0.6 * edge, 0.08 * h, 0.15 * h));
     // An element that comes with a shorter edge (a thin wall) may keep it.
-    least.push_back(std::max(std::min(0.05 * h, 0.9 * edge), 1e-9 * size));
+    least.push_back(std::max(edge > 0.0505 * h ? 0.05 * h : 0.9 * edge, 1e-9 * size));
   }
   setting.context.check();
   boundary = std::make_unique<Boundary>(place, free, setting.projector, setting.options.size, setting.workers, setting.context);
