@@ -27,7 +27,7 @@ CutTree::CutTree(Regions regions, const Geometry& geometry, double size) : geome
   nodes_.push_back(std::move(root));
 }
 
-bool CutTree::apply(Regions& regions, const Partition& partition, const SiteCut& cut) const {
+bool CutTree::apply(Regions& regions, const Partition& partition, const SiteCut& cut, std::vector<Label>& rim_labels) const {
   const double least = kLeastPart * size_ * size_;
   switch (cut.kind) {
     case SiteCut::Strip:
@@ -36,6 +36,15 @@ bool CutTree::apply(Regions& regions, const Partition& partition, const SiteCut&
       return split_across(regions, geometry_, cut.site, cut.axis, cut.coordinate, least);
     case SiteCut::Creases:
       return split_creases(regions, cut.site, cut.degrees, least);
+    case SiteCut::Rim: {
+      std::vector<int> halfedges;
+      for (int d = 0; d < 2 * static_cast<int>(partition.edges.size()); ++d) {
+        if (partition.left_of(d) != cut.site || !std::binary_search(cut.beyond.begin(), cut.beyond.end(), partition.right_of(d))) continue;
+        const std::vector<int> more = chain(regions, partition, d);
+        halfedges.insert(halfedges.end(), more.begin(), more.end());
+      }
+      return split_rim(regions, geometry_, cut.site, halfedges, cut.axis, cut.width, least, rim_labels);
+    }
   }
   return false;
 }
@@ -46,7 +55,8 @@ void CutTree::load(int cutting) {
   const int parent = nodes_[cutting].parent;
   load(parent);
   auto regions = std::make_unique<Regions>(*nodes_[parent].regions);
-  apply(*regions, *nodes_[parent].partition, nodes_[cutting].cut);
+  std::vector<Label> rim_labels;
+  apply(*regions, *nodes_[parent].partition, nodes_[cutting].cut, rim_labels);
   Node& node = nodes_[cutting];
   node.partition = std::make_unique<Partition>(make_partition(regions->mesh, regions->site));
   node.regions = std::move(regions);
@@ -74,7 +84,7 @@ int CutTree::child(int parent, const SiteCut& cut) {
   node.depth = nodes_[parent].depth + 1;
   node.cut = cut;
   node.regions = std::make_unique<Regions>(*nodes_[parent].regions);
-  if (!apply(*node.regions, *nodes_[parent].partition, cut)) {
+  if (!apply(*node.regions, *nodes_[parent].partition, cut, node.rim_labels)) {
     nodes_[parent].children.emplace_back(cut, -1);
     return -1;
   }

@@ -11,16 +11,17 @@ namespace hexfeature {
 
 /// One split of one site.
 struct SiteCut {
-  enum Kind { Strip, Across, Creases } kind = Across;
+  enum Kind { Strip, Across, Creases, Rim } kind = Across;
   int site = -1;
   int dart = -1;          ///< Strip: along this macro dart, whose left site is `site`
-  double width = 0;       ///< Strip
-  int axis = -1;          ///< Across: the plane x[axis] = coordinate
+  double width = 0;       ///< Strip, Rim
+  int axis = -1;          ///< Across: the plane x[axis] = coordinate; Rim: the axis that its pieces do not face
   double coordinate = 0;  ///< Across
   double degrees = 0;     ///< Creases
+  std::vector<int> beyond;  ///< Rim: along the borders with these sites
   bool operator==(const SiteCut& o) const {
     return kind == o.kind && site == o.site && dart == o.dart && width == o.width && axis == o.axis && coordinate == o.coordinate &&
-           degrees == o.degrees;
+           degrees == o.degrees && beyond == o.beyond;
   }
 };
 
@@ -35,6 +36,8 @@ class CutTree {
   int child(int parent, const SiteCut& cut);
 
   const MacroGraph& graph(int cutting) const { return *nodes_[cutting].graph; }
+  /// Per site: the direction that it faces as a piece of the rim that made this cutting; kNoLabel if it is none.
+  const std::vector<Label>& rim_labels(int cutting) const { return nodes_[cutting].rim_labels; }
   int splits(int cutting) const { return nodes_[cutting].depth; }
   /// Whether some split of the cutting has the same label on all its parts, so that a state without it says the same.
   bool redundant(int cutting, const std::vector<Label>& labels) const;
@@ -55,10 +58,11 @@ class CutTree {
     std::unique_ptr<Regions> regions;  // null when dropped
     std::unique_ptr<Partition> partition;
     std::vector<std::pair<SiteCut, int>> children;
+    std::vector<Label> rim_labels;
     std::vector<double> extent;  // per dart, < 0: not yet known
     long used = 0;
   };
-  bool apply(Regions& regions, const Partition& partition, const SiteCut& cut) const;
+  bool apply(Regions& regions, const Partition& partition, const SiteCut& cut, std::vector<Label>& rim_labels) const;
   void load(int cutting);
   void drop_old(int keep);
 

@@ -15,6 +15,9 @@ constexpr int kSitesPerExpansion = 14;
 constexpr int kSplitSites = 5;
 constexpr std::size_t kTurnCuts = 8;   // cuts where an arc turns back, of one expansion
 constexpr double kTilted = 0.01;       // faces nearer to square with an axis are split only in later phases
+constexpr double kKnife = 60 * EIGEN_PI / 180;  // opposite labels at an edge that bends more may get a rim between them
+constexpr std::size_t kRims = 8;                // such edges of one expansion
+constexpr double kRimWidths[] = {0.15, 0.35, 1};  // of a rim, in h
 constexpr int kCombined = 12;          // relabellings of one expansion that are tried together
 constexpr double kClean = 0.25;        // defects that a relabelling that cures a violation may add and still be clean
 constexpr double kLeastCosine = -0.3;  // a site never takes a label that its normals oppose more
@@ -234,6 +237,7 @@ void LabelSearch::fill(LabelState& state, bool thorough) {
   state.fill_tried = true;
   state.filled = filled.ok;
   state.fill_blame = std::move(filled.sites);
+  if (getenv("DBG")) fprintf(stderr, "fill %d rounds %d Q %.2f\n", filled.ok, filled.rounds, state.score.defects);
   state.total = total_of(state, tree_);
   if (filled.ok) return;
   learn(state);
@@ -424,8 +428,94 @@ std::vector<SiteCut> LabelSearch::cuts_at_turns(const LabelState& state, const i
   return cuts;
 }
 
+/// Sharp edges between opposite labels: where two holes graze each other, or a hole comes out through a face at a small angle, the
+/// solid ends in a knife edge between two faces that rightly have opposite labels.
+std::vector<LabelSearch::KnifeEdge> LabelSearch::knife_edges(const LabelState& state) {
+  const MacroGraph& graph = tree_.graph(state.cutting);
+  scorer_.score(graph, state.labels);
+  std::vector<KnifeEdge> edges;
+  for (const auto& issue : scorer_.checker.issues) {
+    if (issue.kind != ChartIssue::SameAxis) continue;
+    const auto& arc = scorer_.charts.arcs[issue.arc];
+    if (std::abs(arc.dihedral) < kKnife) continue;
+    KnifeEdge edge;
+    for (int s : scorer_.sites_beside(graph, issue.arc)) edge.sides[scorer_.site_chart[s] == arc.left ? 0 : 1].push_back(s);
+    edges.push_back(std::move(edge));
+  }
+  return edges;
+}
+
+/// The state with a rim on one side of a knife edge; false when there is no room for one, or it was seen before.
+bool LabelSearch::add_rim(const LabelState& state, const KnifeEdge& edge, int side, double width, LabelState& child) {
+  child.cutting = state.cutting;
+  child.labels.assign(state.labels.begin(), state.labels.end());
+  for (int s : edge.sides[side]) {
+    SiteCut cut;
+    cut.kind = SiteCut::Rim;
+    cut.site = s;
+    cut.axis = axis_of(state.labels[s]);
+    cut.width = width;
+    cut.beyond = edge.sides[1 - side];
+    result_.work += kSplitWork * tree_.regions(0).mesh.triangle_count();
+    context_.check();
+    const int cutting = tree_.child(child.cutting, cut);
+    if (cutting < 0) continue;
+    child.cutting = cutting;
+    const std::vector<Label>& rim = tree_.rim_labels(cutting);
+    child.labels.resize(rim.size(), state.labels[s]);
+    for (std::size_t i = 0; i < rim.size(); ++i)
+      if (rim[i] != kNoLabel) child.labels[i] = rim[i];
+  }
+  return child.cutting != state.cutting && evaluate(child);
+}
+
+/// At a knife edge a polycube has a narrow wall between the two faces: a rim along it, on one side or the other. The best rim of an
+/// edge is kept for the next one: knife edges seldom come alone, and their cures are independent.
+void LabelSearch::expand_rims(const LabelState& state, const int* first, const int* last) {
+  LabelState current = state;
+  std::size_t at = 0;
+  for (std::size_t rims = 0; rims < kRims; ++rims) {
+    const std::vector<KnifeEdge> edges = knife_edges(current);
+    if (rims == 0) {  // only where this expansion looks
+      const auto looked_at = [&](int s) { return std::find(first, last, s) != last; };
+      const auto near = [&](const KnifeEdge& e) {
+        return std::any_of(e.sides[0].begin(), e.sides[0].end(), looked_at) || std::any_of(e.sides[1].begin(), e.sides[1].end(), looked_at);
+      };
+      while (at < edges.size() && !near(edges[at])) ++at;
+    }
+    if (at >= edges.size()) break;
+    LabelState best;
+    for (int side = 0; side < 2; ++side)
+      for (double width : kRimWidths) {
+        LabelState child;
+        if (!add_rim(current, edges[at], side, width * options_.size, child)) continue;
+        if (best.labels.empty() || child.total < best.total) best = child;
+          if (getenv("DBG")) {
+            fprintf(stderr, "rim exp %d edge %zu side %d w %.2f sites", result_.expansions, at, side, width);
+            for (int s : edges[at].sides[side]) fprintf(stderr, " %d(%d)", s, current.labels[s]);
+            fprintf(stderr, " -> V %.2f->%.2f Q %.2f->%.2f total %.2f->%.2f:", current.score.violations, child.score.violations, current.score.defects, child.score.defects, current.total, child.total);
+            for (auto& i : scorer_.checker.issues) {
+              fprintf(stderr, " k%d", i.kind);
+              if (i.corner >= 0) { const auto& g = scorer_.charts; for (int k = g.corner_first[i.corner]; k < g.corner_first[i.corner+1]; ++k) fprintf(stderr, ",%d", g.label[g.left_of(g.corner_darts[k])]); }
+              if (i.loop >= 0) fprintf(stderr, "(turn %d)", i.turning);
+            }
+            for (std::size_t k = current.labels.size(); k < child.labels.size(); ++k) fprintf(stderr, " [%zu l%d A%.2f]", k, child.labels[k], tree_.graph(child.cutting).area[k]);
+            fprintf(stderr, "\n");
+          }
+        children_.push_back(std::move(child));
+      }
+    if (best.labels.empty() || best.total > current.total - 1e-3)
+      ++at;
+    else
+      current = std::move(best);
+  }
+}
+
 void LabelSearch::expand_splits(const LabelState& state, const int* first, const int* last) {
   const double h = options_.size;
+  if (state.phase == 0 && !state.score.valid()) {
+    expand_rims(state, first, last);
+  }
   const std::vector<SiteCut> turns = cuts_at_turns(state, first, last);
   for (const SiteCut& cut : turns) split(state, cut);
   // Of a valid state's defects those are the ones that other splits cannot cure.
@@ -517,6 +607,7 @@ SearchResult LabelSearch::run() {
     }
     if (have_best_) ++after_best_;
     ++result_.expansions;
+    if (getenv("DBG")) fprintf(stderr, "exp %d work %.2g V %.2f Q %.2f total %.2f phase %d splits %d best %d\n", result_.expansions, result_.work, state.score.violations, state.score.defects, state.total, state.phase, tree_.splits(state.cutting), (int)have_best_);
     const std::vector<int> order = sites_to_repair(state);
     const int begin = state.phase * kSitesPerExpansion;
     const int end = std::min(static_cast<int>(order.size()), begin + kSitesPerExpansion);

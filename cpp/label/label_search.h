@@ -80,6 +80,12 @@ class LabelSearch {
   std::vector<SiteCut> cuts_at_turns(const LabelState& state, const int* first, const int* last);
   void expand_splits(const LabelState& state, const int* first, const int* last);
   void split(const LabelState& state, const SiteCut& cut);
+  struct KnifeEdge {
+    std::vector<int> sides[2];  ///< sites beside it
+  };
+  std::vector<KnifeEdge> knife_edges(const LabelState& state);
+  bool add_rim(const LabelState& state, const KnifeEdge& edge, int side, double width, LabelState& child);
+  void expand_rims(const LabelState& state, const int* first, const int* last);
   void polish();
 
   CutTree& tree_;

@@ -47,7 +47,7 @@ std::array<double, 2> areas_by_sign(const SurfaceMesh& mesh, const std::vector<i
 }
 
 /// Give the connected pieces of a site their numbers. `cut_off` tells, per triangle of `patch`, which are the part to be
-/// cut off; a piece never crosses a halfedge of `barrier` (may be empty). Pieces under `least_area` join the neighbour
+/// cut off (not 0; parts of different values are apart); a piece never crosses a halfedge of `barrier` (may be empty). Pieces under `least_area` join the neighbour
 /// piece with the longest common border. The largest piece that is not cut off keeps the site's number; then come the
 /// pieces cut off, then the rest, each larger ones first. False when there is one piece only.
 bool number_pieces(Regions& regions, int site, const std::vector<int>& patch, const std::vector<char>& cut_off,
@@ -127,6 +127,16 @@ bool number_pieces(Regions& regions, int site, const std::vector<int>& patch, co
   return true;
 }
 
+void pin_border(const Regions& regions, int site, const std::vector<int>& patch, SurfaceCutter& cutter) {
+  const SurfaceMesh& mesh = regions.mesh;
+  for (int t : patch)
+    for (int h = 3 * t; h < 3 * t + 3; ++h)
+      if (regions.site[mesh.opposite[h] / 3] != site) {
+        cutter.pin(mesh.from(h));
+        cutter.pin(mesh.to(h));
+      }
+}
+
 /// Cut `site` where all of `functions` are negative from the rest, one after the other.
 bool split_by(Regions& regions, const Geometry& geometry, int site, const std::vector<CutFunction>& functions, double least_area) {
   std::vector<int> patch = triangles_of(regions, site);
@@ -135,12 +145,7 @@ bool split_by(Regions& regions, const Geometry& geometry, int site, const std::v
 
   SurfaceMesh& mesh = regions.mesh;
   SurfaceCutter cutter(mesh, geometry.projector, kSnap);
-  for (int t : patch)
-    for (int h = 3 * t; h < 3 * t + 3; ++h)
-      if (regions.site[mesh.opposite[h] / 3] != site) {
-        cutter.pin(mesh.from(h));
-        cutter.pin(mesh.to(h));
-      }
+  pin_border(regions, site, patch, cutter);
   std::vector<int> inside = patch, next;
   std::vector<signed char> side;
   std::vector<char> cut_off(mesh.triangle_count(), 1);  // per triangle: all functions so far are negative
@@ -164,14 +169,16 @@ bool split_by(Regions& regions, const Geometry& geometry, int site, const std::v
   return number_pieces(regions, site, patch, off, {}, least_area);
 }
 
+double squared_distance(const Vec3& a, const Vec3& b, const Vec3& p) {
+  const Vec3 e = b - a;
+  const double length = e.squaredNorm();
+  const double s = length > 0 ? std::clamp((p - a).dot(e) / length, 0.0, 1.0) : 0;
+  return (p - a - s * e).squaredNorm();
+}
+
 double distance_to(const std::vector<Vec3>& chain, const Vec3& p) {
   double least = std::numeric_limits<double>::max();
-  for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
-    const Vec3 e = chain[i + 1] - chain[i];
-    const double length = e.squaredNorm();
-    const double s = length > 0 ? std::clamp((p - chain[i]).dot(e) / length, 0.0, 1.0) : 0;
-    least = std::min(least, (p - chain[i] - s * e).squaredNorm());
-  }
+  for (std::size_t i = 0; i + 1 < chain.size(); ++i) least = std::min(least, squared_distance(chain[i], chain[i + 1], p));
   return std::sqrt(least);
 }
 
@@ -199,6 +206,54 @@ double angle_at_start(const Regions& r, int h) {
   for (int g = h;; g = r.mesh.opposite[SurfaceMesh::prev(g)]) {
     angle += corner_angle(r.mesh, g);
     if (r.site[r.mesh.opposite[SurfaceMesh::prev(g)] / 3] != r.site[h / 3]) return angle;
+  }
+}
+
+/// A piece of a rim's border, and the direction that the rim beside it faces.
+struct RimSegment {
+  Vec3 from, to;
+  Label label;
+};
+
+/// The directions that a rim along border halfedges of a site faces: across a convex edge, away from a concave one, along the
+/// nearest axis that is not `axis`. Runs shorter than `least` take the direction of the longer run beside them.
+std::vector<RimSegment> rim_segments(const SurfaceMesh& mesh, const std::vector<int>& halfedges, int axis, double least) {
+  std::vector<RimSegment> segments;
+  for (int h : halfedges) {
+    const Vec3 &a = mesh.points[mesh.from(h)], &b = mesh.points[mesh.to(h)];
+    const Vec3 across = (b - a).cross(mesh.mean_normal(h / 3)) * (mesh.dihedral(h) < 0 ? -1 : 1);
+    Label best = kNoLabel;
+    for (Label l = 0; l < 6; ++l)
+      if (axis_of(l) != axis && (best == kNoLabel || sign_of(l) * across[axis_of(l)] > sign_of(best) * across[axis_of(best)])) best = l;
+    segments.push_back({a, b, best});
+  }
+  struct Run {
+    std::size_t first, last;
+    double length;
+  };
+  std::vector<Run> runs;
+  for (;;) {
+    runs.clear();
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      const bool goes_on = i > 0 && segments[i].label == segments[i - 1].label && segments[i].from == segments[i - 1].to;
+      if (!goes_on) runs.push_back({i, i, 0});
+      runs.back().last = i + 1;
+      runs.back().length += (segments[i].to - segments[i].from).norm();
+    }
+    std::size_t shortest = runs.size();
+    for (std::size_t r = 0; r < runs.size(); ++r)
+      if (runs[r].length < least && (shortest == runs.size() || runs[r].length < runs[shortest].length)) {
+        const bool alone = (r == 0 || segments[runs[r].first].from != segments[runs[r].first - 1].to) &&
+                           (r + 1 == runs.size() || segments[runs[r].last].from != segments[runs[r].last - 1].to);
+        if (!alone) shortest = r;
+      }
+    if (shortest == runs.size()) return segments;
+    const Run& run = runs[shortest];
+    const bool has_before = shortest > 0 && segments[run.first].from == segments[run.first - 1].to;
+    const bool has_after = shortest + 1 < runs.size() && segments[run.last].from == segments[run.last - 1].to;
+    const bool before = has_before && (!has_after || runs[shortest - 1].length >= runs[shortest + 1].length);
+    const Label label = segments[before ? run.first - 1 : run.last].label;
+    for (std::size_t i = run.first; i < run.last; ++i) segments[i].label = label;
   }
 }
 
@@ -240,6 +295,76 @@ bool split_creases(Regions& regions, int site, double degrees, double least_area
       any |= barrier[h] != 0;
     }
   return any && number_pieces(regions, site, patch, std::vector<char>(patch.size(), 0), barrier, least_area);
+}
+
+bool split_rim(Regions& regions, const Geometry& geometry, int site, const std::vector<int>& halfedges, int axis, double width,
+               double least_area, std::vector<Label>& rim_label) {
+  rim_label.assign(regions.site_count(), kNoLabel);
+  if (halfedges.empty() || width <= 0) return false;
+  SurfaceMesh& mesh = regions.mesh;
+  constexpr double kLeastRun = 0.3;  // of the width
+  std::vector<RimSegment> segments = rim_segments(mesh, halfedges, axis, kLeastRun * width);
+  // Drawn in a little at both ends: beyond a corner of the border the nearer one of two pieces is told by the bisecting plane.
+  for (RimSegment& s : segments) {
+    const Vec3 inset = 1e-3 * std::min(1.0, width / (s.to - s.from).norm()) * (s.to - s.from);
+    s.from += inset;
+    s.to -= inset;
+  }
+  const auto distance = [segments](const Vec3& p, Label label, bool equal) {
+    double least = std::numeric_limits<double>::max();
+    for (const RimSegment& s : segments)
+      if (label == kNoLabel || (s.label == label) == equal) least = std::min(least, squared_distance(s.from, s.to, p));
+    return std::sqrt(least);
+  };
+  std::vector<Label> labels;
+  for (const RimSegment& s : segments)
+    if (std::find(labels.begin(), labels.end(), s.label) == labels.end()) labels.push_back(s.label);
+
+  std::vector<int> patch = triangles_of(regions, site);
+  const CutFunction rim{[&](const Vec3& p, const Vec3&) { return distance(p, kNoLabel, true) - width; }, {}, 0.5 * width};
+  if (areas_by_sign(mesh, patch, rim)[0] < least_area) return false;
+  SurfaceCutter cutter(mesh, geometry.projector, kSnap);
+  pin_border(regions, site, patch, cutter);
+  std::vector<int> rest = patch, next;
+  std::vector<signed char> side;
+  std::vector<char> part(mesh.triangle_count(), 0);  // 0: not of the rim; else 1 + label
+  const auto cut = [&](const CutFunction& f) {
+    cutter.cut(rest, f, side);
+    for (int t = static_cast<int>(part.size()); t < mesh.triangle_count(); ++t) {
+      const int parent = cutter.parents()[t - cutter.first_new()];
+      regions.site.push_back(regions.site[parent]);
+      part.push_back(part[parent]);
+    }
+  };
+  cut(rim);
+  next.clear();
+  for (std::size_t i = 0; i < rest.size(); ++i)
+    if (side[i] < 0) next.push_back(rest[i]);
+  rest = next;
+  for (std::size_t k = 0; k < labels.size(); ++k) {
+    const Label label = labels[k];
+    const bool last = k + 1 == labels.size();
+    if (!last) cut({[&](const Vec3& p, const Vec3&) { return distance(p, label, true) - distance(p, label, false); }, {}, 0});
+    next.clear();
+    for (std::size_t i = 0; i < rest.size(); ++i)
+      if (last || side[i] < 0)
+        part[rest[i]] = static_cast<char>(1 + label);
+      else
+        next.push_back(rest[i]);
+    rest = next;
+  }
+  patch = triangles_of(regions, site);
+  std::vector<char> off(patch.size());
+  for (std::size_t i = 0; i < patch.size(); ++i) off[i] = part[patch[i]];
+  const bool done = number_pieces(regions, site, patch, off, {}, least_area);
+  if (!done) return false;
+  // What most of a piece was cut off for.
+  rim_label.assign(regions.site_count(), kNoLabel);
+  std::map<int, std::array<double, 7>> area;
+  for (int t : patch) area[regions.site[t]][part[t]] += mesh.area(t);
+  for (const auto& [s, by_part] : area)
+    rim_label[s] = static_cast<Label>(std::max_element(by_part.begin(), by_part.end()) - by_part.begin() - 1);
+  return true;
 }
 
 double strip_extent(const Regions& regions, int site, const std::vector<int>& halfedges) {
