@@ -13,21 +13,21 @@ constexpr std::size_t kOpen = 20000;   // states kept waiting
 constexpr std::size_t kChildren = 60;  // best children of one expansion that are kept
 constexpr int kSitesPerExpansion = 14;
 constexpr int kSplitSites = 5;
-constexpr std::size_t kTurnCuts = 8;   // cuts where an arc turns back, of one expansion
-constexpr double kTilted = 0.01;       // faces nearer to square with an axis are split only in later phases
-constexpr double kKnife = 60 * EIGEN_PI / 180;  // opposite labels at an edge that bends more may get a rim between them
-constexpr std::size_t kRims = 8;                // such edges of one expansion
+constexpr std::size_t kTurnCuts = 8;              // cuts where an arc turns back, of one expansion
+constexpr double kTilted = 0.01;                  // faces nearer to square with an axis are split only in later phases
+constexpr double kKnife = 60 * EIGEN_PI / 180;    // opposite labels at an edge that bends more may get a rim between them
+constexpr std::size_t kRims = 8;                  // such edges of one expansion
 constexpr double kRimWidths[] = {0.15, 0.35, 1};  // of a rim, in h
-constexpr int kCombined = 12;          // relabellings of one expansion that are tried together
-constexpr double kClean = 0.25;        // defects that a relabelling that cures a violation may add and still be clean
-constexpr double kLeastCosine = -0.3;  // a site never takes a label that its normals oppose more
-constexpr int kAfterBest = 4;          // expansions spent on improving a filled state ...
-constexpr int kAfterBestDefects = 12;  // ... and so many more when it has a defect too many
-constexpr double kFillWork = 1e5;      // counted work of one fill check ...
-constexpr double kRoundWork = 4e4;     // ... and of each of its rounds
-constexpr int kThoroughFills = 3;      // so many fill checks may take their time
-constexpr double kSplitWork = 1.5;     // ... of one split, per triangle of the surface
-constexpr double kImproveWork = 3e7;   // counted work spent on improving a filled state
+constexpr int kCombined = 12;                     // relabellings of one expansion that are tried together
+constexpr double kClean = 0.25;                   // defects that a relabelling that cures a violation may add and still be clean
+constexpr double kLeastCosine = -0.3;             // a site never takes a label that its normals oppose more
+constexpr int kAfterBest = 4;                     // expansions spent on improving a filled state ...
+constexpr int kAfterBestDefects = 12;             // ... and so many more when it has a defect too many
+constexpr double kFillWork = 1e5;                 // counted work of one fill check ...
+constexpr double kRoundWork = 4e4;                // ... and of each of its rounds
+constexpr int kThoroughFills = 3;                 // so many fill checks may take their time
+constexpr double kSplitWork = 1.5;                // ... of one split, per triangle of the surface
+constexpr double kImproveWork = 3e7;              // counted work spent on improving a filled state
 constexpr double kTangent = 20 * EIGEN_PI / 180;
 
 double total_of(const LabelState& s, const CutTree& tree) {
@@ -237,7 +237,6 @@ void LabelSearch::fill(LabelState& state, bool thorough) {
   state.fill_tried = true;
   state.filled = filled.ok;
   state.fill_blame = std::move(filled.sites);
-  if (getenv("DBG")) fprintf(stderr, "fill %d rounds %d Q %.2f\n", filled.ok, filled.rounds, state.score.defects);
   state.total = total_of(state, tree_);
   if (filled.ok) return;
   learn(state);
@@ -490,18 +489,6 @@ void LabelSearch::expand_rims(const LabelState& state, const int* first, const i
         LabelState child;
         if (!add_rim(current, edges[at], side, width * options_.size, child)) continue;
         if (best.labels.empty() || child.total < best.total) best = child;
-          if (getenv("DBG")) {
-            fprintf(stderr, "rim exp %d edge %zu side %d w %.2f sites", result_.expansions, at, side, width);
-            for (int s : edges[at].sides[side]) fprintf(stderr, " %d(%d)", s, current.labels[s]);
-            fprintf(stderr, " -> V %.2f->%.2f Q %.2f->%.2f total %.2f->%.2f:", current.score.violations, child.score.violations, current.score.defects, child.score.defects, current.total, child.total);
-            for (auto& i : scorer_.checker.issues) {
-              fprintf(stderr, " k%d", i.kind);
-              if (i.corner >= 0) { const auto& g = scorer_.charts; for (int k = g.corner_first[i.corner]; k < g.corner_first[i.corner+1]; ++k) fprintf(stderr, ",%d", g.label[g.left_of(g.corner_darts[k])]); }
-              if (i.loop >= 0) fprintf(stderr, "(turn %d)", i.turning);
-            }
-            for (std::size_t k = current.labels.size(); k < child.labels.size(); ++k) fprintf(stderr, " [%zu l%d A%.2f]", k, child.labels[k], tree_.graph(child.cutting).area[k]);
-            fprintf(stderr, "\n");
-          }
         children_.push_back(std::move(child));
       }
     if (best.labels.empty() || best.total > current.total - 1e-3)
@@ -607,7 +594,6 @@ SearchResult LabelSearch::run() {
     }
     if (have_best_) ++after_best_;
     ++result_.expansions;
-    if (getenv("DBG")) fprintf(stderr, "exp %d work %.2g V %.2f Q %.2f total %.2f phase %d splits %d best %d\n", result_.expansions, result_.work, state.score.violations, state.score.defects, state.total, state.phase, tree_.splits(state.cutting), (int)have_best_);
     const std::vector<int> order = sites_to_repair(state);
     const int begin = state.phase * kSitesPerExpansion;
     const int end = std::min(static_cast<int>(order.size()), begin + kSitesPerExpansion);

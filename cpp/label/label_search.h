@@ -45,7 +45,7 @@ struct SearchResult {
 
 /// Best-first repair of site labels (experiments A7): starts from the nearest axes and from iterated conditional modes; expands the
 /// sites to blame, one cluster of defects at a time, by relabelling a site, its chart, a site with a neighbour or a CAD face, and by
-/// splitting, alternating between the state that is best and the one with the fewest defects; a state is put back for its next candidates.
+/// splitting, and by rims along knife edges between opposite labels, alternating between the state that is best and the one with the fewest defects; a state is put back for its next candidates.
 /// Valid states are filled; the first one that fills and has few soft defects ends the search. What a failed fill blames is remembered:
 /// any other state with the same labels there, and round about, is taken to fail too. Deterministic.
 class LabelSearch {

@@ -47,9 +47,9 @@ std::array<double, 2> areas_by_sign(const SurfaceMesh& mesh, const std::vector<i
 }
 
 /// Give the connected pieces of a site their numbers. `cut_off` tells, per triangle of `patch`, which are the part to be
-/// cut off (not 0; parts of different values are apart); a piece never crosses a halfedge of `barrier` (may be empty). Pieces under `least_area` join the neighbour
-/// piece with the longest common border. The largest piece that is not cut off keeps the site's number; then come the
-/// pieces cut off, then the rest, each larger ones first. False when there is one piece only.
+/// cut off (not 0; parts of different values are apart); a piece never crosses a halfedge of `barrier` (may be empty). Pieces under
+/// `least_area` join the neighbour piece with the longest common border. The largest piece that is not cut off keeps the site's number;
+/// then come the pieces cut off, then the rest, each larger ones first. False when there is one piece only.
 bool number_pieces(Regions& regions, int site, const std::vector<int>& patch, const std::vector<char>& cut_off,
                    const std::vector<char>& barrier, double least_area) {
   const SurfaceMesh& mesh = regions.mesh;

@@ -5,6 +5,7 @@
 
 #include "cad_shapes.h"
 #include "fixtures.h"
+#include "label/labels.h"
 #include "label/regions.h"
 #include "round_fixtures.h"
 #include "shape/partition.h"
@@ -215,6 +216,53 @@ TEST_CASE("a strip along a part of a straight border ends squarely") {
   CHECK(areas(r)[7] == doctest::Approx(0.6 * length).epsilon(0.01));
 }
 
+TEST_CASE("a rim round a face falls apart at its corners and faces outward") {
+  for (int n : {1, 2, 3}) {
+    Regions r = box_regions(n);
+    const int top = site_towards(r, Vec3::UnitZ());
+    std::vector<int> outline;
+    for (int h = 0; h < 3 * r.mesh.triangle_count(); ++h)
+      if (r.site[h / 3] == top && r.site[r.mesh.opposite[h] / 3] != top) outline.push_back(h);
+    std::vector<Label> labels;
+    REQUIRE(split_rim(r, {}, top, outline, 2, 0.5, 0.1, labels));
+    check_sites(r);
+    REQUIRE(r.site_count() == 10);
+    REQUIRE(labels.size() == 10);
+    const auto a = areas(r);
+    CHECK(a[top] == doctest::Approx(3 * 2).epsilon(0.05));
+    CHECK(labels[top] == kNoLabel);
+    std::vector<Label> seen;
+    for (int s = 6; s < 10; ++s) {
+      seen.push_back(labels[s]);
+      CHECK(a[s] == doctest::Approx(axis_of(labels[s]) == 0 ? 0.5 * 2.5 : 0.5 * 3.5).epsilon(0.06));
+      Vec3 middle = Vec3::Zero();
+      for (int t = 0; t < r.mesh.triangle_count(); ++t)
+        if (r.site[t] == s) middle += r.mesh.area(t) / a[s] * r.mesh.centroid(t);
+      const double centre[3] = {2, 1.5, 0};
+      const int axis = axis_of(labels[s]);
+      CHECK(sign_of(labels[s]) * (middle[axis] - centre[axis]) > 1);
+    }
+    std::sort(seen.begin(), seen.end());
+    CHECK(seen == std::vector<Label>{0, 1, 2, 3});
+    for (int s = 0; s < 6; ++s) CHECK(labels[s] == kNoLabel);
+  }
+}
+
+TEST_CASE("a rim along a part of the border goes round its ends") {
+  Regions r = box_regions(2);
+  const int top = site_towards(r, Vec3::UnitZ()), side = site_towards(r, Vec3::UnitX());
+  REQUIRE(split_across(r, {}, side, 1, 1.2, 0.1));
+  const auto chain = border(r, top, side);
+  const double length = (r.mesh.points[r.mesh.from(chain.front())] - r.mesh.points[r.mesh.to(chain.back())]).norm();
+  std::vector<Label> labels;
+  REQUIRE(split_rim(r, {}, top, chain, 2, 0.6, 0.1, labels));
+  check_sites(r);
+  REQUIRE(labels.size() == 8);
+  CHECK(labels[7] == 0);
+  CHECK(areas(r)[7] == doctest::Approx(0.6 * length + 0.25 * EIGEN_PI * 0.36).epsilon(0.05));
+  CHECK_FALSE(split_rim(r, {}, top, border(r, top, 7), 2, 0.01, 0.1, labels));
+}
+
 TEST_CASE("a cut across a frame axis") {
   Regions r = box_regions(2);
   const int top = site_towards(r, Vec3::UnitZ());
@@ -262,4 +310,30 @@ TEST_CASE("a strip along the rim of a cylinder's wall stays on the cylinder") {
   for (int t = 0; t < r.mesh.triangle_count(); ++t)
     if (r.mesh.triangle_face[t] == 1)
       for (int v : r.mesh.triangles[t]) CHECK(r.mesh.points[v].head<2>().norm() == doctest::Approx(1));
+}
+
+TEST_CASE("holes that graze each other get a rim round their window") {
+  // Two holes along x and z whose axes are nearer than the radii together: a window with a knife edge all round it, between a wall
+  // towards -y and one towards +y.
+  using cad_shapes::cylinder;
+  for (double overlap : {0.5, 1.0, 2.0}) {
+    const auto along_x = cad_shapes::moved(cad_shapes::turned(cylinder(6, 60), 0, 90, 0), -10, 14, 20);
+    const auto along_z = cad_shapes::moved(cylinder(4, 60), 20, 24 - overlap, -10);
+    const auto model = cad_shapes::model_of(cad_shapes::cut(cad_shapes::cut(cad_shapes::box(40, 40, 40), along_x), along_z));
+    LabelOptions options;
+    options.size = 4;
+    Context context;
+    const FillCheck fill = [](const SurfaceMesh&, const FeatureShape&, bool) { return FillOutcome{true, {}, {}}; };
+    const LabelResult result = label_regions(cad_shapes::surface_of(*model, 4), model->geometry(), options, fill, context);
+    CHECK(result.validity.valid());
+    CHECK(result.filled);
+    CHECK(result.expansions < 20);
+    // The wall between the holes has a hole of its own, with walls towards +-x and +-z that lie on one of the two.
+    double area[6] = {};
+    for (int t = 0; t < result.surface.mesh.triangle_count(); ++t) {
+      const Vec3 p = result.surface.mesh.centroid(t);
+      if ((p - Vec3(20, 20, 20)).norm() < 5) area[result.surface.label[t]] += result.surface.mesh.area(t);
+    }
+    for (int l : {0, 1, 4, 5}) CHECK(area[l] > 0.1);
+  }
 }
