@@ -13,11 +13,11 @@ namespace hexfeature {
 struct SiteCut {
   enum Kind { Strip, Across, Creases, Rim } kind = Across;
   int site = -1;
-  int dart = -1;          ///< Strip: along this macro dart, whose left site is `site`
-  double width = 0;       ///< Strip, Rim
-  int axis = -1;          ///< Across: the plane x[axis] = coordinate; Rim: the axis that its pieces do not face
-  double coordinate = 0;  ///< Across
-  double degrees = 0;     ///< Creases
+  int dart = -1;            ///< Strip: along this macro dart, whose left site is `site`
+  double width = 0;         ///< Strip, Rim
+  int axis = -1;            ///< Across: the plane x[axis] = coordinate; Rim: the axis that its pieces do not face
+  double coordinate = 0;    ///< Across
+  double degrees = 0;       ///< Creases
   std::vector<int> beyond;  ///< Rim: along the borders with these sites
   bool operator==(const SiteCut& o) const {
     return kind == o.kind && site == o.site && dart == o.dart && width == o.width && axis == o.axis && coordinate == o.coordinate &&

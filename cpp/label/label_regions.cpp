@@ -1,5 +1,6 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #include <algorithm>
+#include <tuple>
 
 #include "label/cut_tree.h"
 #include "label/label_search.h"
@@ -45,12 +46,19 @@ LabelResult label_regions(const SurfaceMesh& mesh, const Geometry& geometry, con
     result.sites.erase(std::unique(result.sites.begin(), result.sites.end()), result.sites.end());
     return result;
   };
-  // Two short tries before the long one: where the search gets lost, it often finds its way at once when feature lines that turn back
-  // guide it from the start. A labelling with a bad defect is worth another try too.
-  constexpr double kShort = 1.0 / 6, kStrict = 0.3, kGood = 0.5;
+  // Short tries before the long one: where the search gets lost, it often finds its way at once when feature lines that turn back
+  // guide it from the start, or when knife edges get rims. Rims come late since they make flat hexahedra: any other cure is better.
+  // A labelling with a bad defect is worth another try too.
+  constexpr double kShort = 1.0 / 6, kLong = 0.8, kStrict = 0.3, kGood = 0.5;
   struct Try {
     double fold_tolerance, work;
+    bool rims;
   };
+  const double usual = options.fold_tolerance;
+  std::vector<Try> tries = {{usual, kShort, false}};
+  if (usual > kStrict) tries.push_back({kStrict, kShort, false});
+  tries.push_back({usual, kShort, true});
+  tries.push_back({usual, kLong, true});  // with rims only if nothing fills without them
   const auto result_of = [&](const LabelState& state) {
     LabelResult result;
     const Regions& regions = tree.regions(state.cutting);
@@ -64,19 +72,21 @@ LabelResult label_regions(const SurfaceMesh& mesh, const Geometry& geometry, con
     return result;
   };
   SearchResult found;
-  for (const Try& attempt :
-       {Try{options.fold_tolerance, kShort}, Try{std::min(kStrict, options.fold_tolerance), kShort}, Try{options.fold_tolerance, 1.0}}) {
+  for (const Try& attempt : tries) {
+    if (attempt.rims && attempt.work == kShort && found.best.filled) continue;  // without rims it would be the first again
     SearchOptions search_options;
     search_options.size = options.size;
     search_options.max_expansions = options.max_expansions;
     search_options.max_work = attempt.work * options.max_work;
     search_options.fold_tolerance = attempt.fold_tolerance;
+    search_options.rims = attempt.rims && !found.best.filled;
     if (options.first_look && found.best.labels.empty())
       search_options.first_look = [&](const LabelState& state) { options.first_look(result_of(state)); };
     SearchResult next = LabelSearch(tree, search_options, fill_sites, context).run();
-    const bool better = next.best.filled != found.best.filled ? next.best.filled : next.best.score.defects < found.best.score.defects;
+    const auto rank = [](const LabelState& s) { return std::tuple(!s.filled, s.score.violations, s.score.defects); };
+    const bool better = rank(next.best) < rank(found.best);
     if (found.best.labels.empty() || better) found = std::move(next);
-    if (found.best.filled && (found.best.score.defects < kGood || attempt.work == 1.0)) break;
+    if (found.best.filled && found.best.score.defects < kGood) break;
   }
 
   LabelResult result = result_of(found.best);

@@ -500,9 +500,7 @@ void LabelSearch::expand_rims(const LabelState& state, const int* first, const i
 
 void LabelSearch::expand_splits(const LabelState& state, const int* first, const int* last) {
   const double h = options_.size;
-  if (state.phase == 0 && !state.score.valid()) {
-    expand_rims(state, first, last);
-  }
+  if (options_.rims && state.phase == 0 && !state.score.valid()) expand_rims(state, first, last);
   const std::vector<SiteCut> turns = cuts_at_turns(state, first, last);
   for (const SiteCut& cut : turns) split(state, cut);
   // Of a valid state's defects those are the ones that other splits cannot cure.

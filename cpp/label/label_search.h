@@ -31,6 +31,7 @@ struct SearchOptions {
   int max_expansions = 4000;                          ///< bound on expansions
   double max_work = 6e7;                              ///< bound on counted work: macro edges looked at (about 10 million a second)
   double fold_tolerance = 0.75;                       ///< LabelOptions::fold_tolerance
+  bool rims = false;                                  ///< look for rims along knife edges
   double good_defects = 0.05;                         ///< a filled state with fewer soft defects ends the search
   std::function<void(const LabelState&)> first_look;  ///< may be empty: called with the best start when it has to be repaired
 };
@@ -45,9 +46,10 @@ struct SearchResult {
 
 /// Best-first repair of site labels (experiments A7): starts from the nearest axes and from iterated conditional modes; expands the
 /// sites to blame, one cluster of defects at a time, by relabelling a site, its chart, a site with a neighbour or a CAD face, and by
-/// splitting, and by rims along knife edges between opposite labels, alternating between the state that is best and the one with the fewest defects; a state is put back for its next candidates.
-/// Valid states are filled; the first one that fills and has few soft defects ends the search. What a failed fill blames is remembered:
-/// any other state with the same labels there, and round about, is taken to fail too. Deterministic.
+/// splitting, and by rims along knife edges between opposite labels, alternating between the state that is best and the one with the fewest
+/// defects; a state is put back for its next candidates. Valid states are filled; the first one that fills and has few soft defects ends
+/// the search. What a failed fill blames is remembered: any other state with the same labels there, and round about, is taken to fail too.
+/// Deterministic.
 class LabelSearch {
  public:
   struct Fill {
