@@ -107,11 +107,13 @@ int untangle_softly(Patch& patch);
 void slide(Patch& patch);
 /// (4): lift the worst elements. Requires a patch on the CAD and no inverted element.
 void lift_worst(HexComplex& mesh, SmoothSetting& setting);
-/// (5): what (4) could not lift for some other place's sake: one bad place after the other, each with its neighbourhood alone.
+/// (5): the mean, which (4) may have spent on the worst element, as far as that one allows.
+void lift_mean(HexComplex& mesh, SmoothSetting& setting);
+/// (6): what (4) could not lift for some other place's sake: one bad place after the other, each with its neighbourhood alone.
 void lift_places(HexComplex& mesh, SmoothSetting& setting);
-/// (6): the least scaled Jacobian itself, at one bad place after the other.
+/// (7): the least scaled Jacobian itself, at one bad place after the other.
 void raise_minimum(HexComplex& mesh, SmoothSetting& setting);
-/// (7): the last bad elements, point by point, by their scaled Jacobian itself.
+/// (8): the last bad elements, point by point, by their scaled Jacobian itself.
 void polish_worst(HexComplex& mesh, SmoothSetting& setting);
 
 }  // namespace hexfeature

@@ -128,6 +128,7 @@ SmoothReport smooth(HexComplex& mesh, const Projector& projector, const SmoothOp
     all.write_back(mesh);
     if (options.worst_stage) {
       lift_worst(mesh, setting);
+      if (!options.brief) lift_mean(mesh, setting);
       lift_places(mesh, setting);
       raise_minimum(mesh, setting);
       polish_worst(mesh, setting);

@@ -425,3 +425,31 @@ TEST_CASE("the least scaled Jacobian is raised where points must move together")
   const HexComplex tied = raised(1, 0, {{e[0], e[1], length, 0}});
   CHECK((tied.points[e[0]] - tied.points[e[1]]).norm() < std::sqrt(1.2) * length);
 }
+
+TEST_CASE("the mean is lifted as far as the worst element allows") {
+  HexComplex c = box_mesh({6, 6, 6}, Vec3(6, 6, 6));
+  const BoxProjector box(Vec3(6, 6, 6));
+  std::vector<char> held(c.points.size(), 0);
+  unsigned seed = 1;
+  const auto noise = [&] { return ((seed = seed * 1103515245u + 12345u) >> 16 & 1023) / 1023.0 - 0.5; };
+  for (int v = 0; v < c.point_count(); ++v) {
+    Vec3& p = c.points[v];
+    held[v] = p.maxCoeff() < 2.5;  // the worst element is here, and it stays
+    if (c.place[v].dim == 3)
+      p += p.maxCoeff() < 1.5 ? Vec3(0.5, 0.45, 0.4) : held[v] ? Vec3(0, 0, 0) : Vec3(0.5 * Vec3(noise(), noise(), noise()));
+  }
+  const SmoothOptions options = sized(1);
+  Workers workers(2, context);
+  SmoothSetting setting{box, options, context, workers, std::vector<double>(c.hexes.size(), 1), {}, held};
+  std::vector<double> quality;
+  measure(c, workers, quality);
+  const Grade before = grade_of(quality);
+  REQUIRE(before.inverted == 0);
+  REQUIRE(before.min_sj < 0.4);
+  lift_mean(c, setting);
+  measure(c, workers, quality);
+  const Grade after = grade_of(quality);
+  CHECK(after.min_sj >= 0.99 * before.min_sj);
+  CHECK(after.min_sj < 0.5);
+  CHECK(after.sum_sj > before.sum_sj + 0.02 * c.hex_count());
+}
