@@ -45,6 +45,8 @@ struct BoundaryFit {
   void assign_faces();
   void collect_feature_edges();
   bool lies_on(int node, int edge) const;  ///< on the CAD edge or one of its ends
+  /// Whether the node lies on another CAD edge that goes on from this one at a soft vertex.
+  bool lies_beyond_soft_end(int node, int edge) const;
   /// A face narrower than an element may own no quad: those that cover most of it take its number, unless they lie along a sharp
   /// edge of their own face.
   void cover_narrow_faces();

@@ -72,6 +72,14 @@ bool BoundaryFit::lies_on(int node, int edge) const {
   return p.dim == 0 && (p.entity == ends[0] || p.entity == ends[1]);
 }
 
+bool BoundaryFit::lies_beyond_soft_end(int node, int edge) const {
+  const CadPlace& p = complex.place[node];
+  if (p.dim != 1) return false;
+  const auto &ends = geometry.edge(edge).vertices, &others = geometry.edge(p.entity).vertices;
+  return std::any_of(ends.begin(), ends.end(),
+                     [&](int v) { return v > 0 && !geometry.vertex(v).hard && (v == others[0] || v == others[1]); });
+}
+
 void BoundaryFit::require_own_vertices() const {
   std::vector<int> holder(geometry.vertices->size() + 1, -1);
   for (int n = 0; n < complex.point_count(); ++n) {
@@ -186,10 +194,13 @@ void BoundaryFit::collect_feature_edges() {
   std::vector<std::array<int, 3>> found;
   for (const Chain& chain : chains)
     for (int i = 0; i < chain.intervals(); ++i) {
-      // The CAD edge under the middle of the interval.
+      // The CAD edge under the middle of the interval. A soft vertex, which parts a circle only by name, may lie between its ends.
       const int h = chain.halfedges[chain.segment_at(0.5 * (chain.node_s[i] + chain.node_s[i + 1]))];
       const int e = followed_edge(mesh, geometry, h), a = chain.nodes[i], b = chain.nodes[i + 1];
-      if (e > 0 && lies_on(a, e) && lies_on(b, e)) found.push_back({std::min(a, b), std::max(a, b), e});
+      if (e <= 0) continue;
+      const bool own_a = lies_on(a, e), own_b = lies_on(b, e);
+      if ((own_a && own_b) || (own_a && lies_beyond_soft_end(b, e)) || (own_b && lies_beyond_soft_end(a, e)))
+        found.push_back({std::min(a, b), std::max(a, b), e});
     }
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());

@@ -11,6 +11,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, os.environ.get("HEXFEATURE_PACKAGE", str(ROOT / "python")))  # another build's: tests/sanitize.sh
 
 DRAW = """
+import math
 import sys
 sys.path += ["/usr/lib/freecad-python3/lib", "/usr/lib/freecad/lib", "/usr/lib/freecad/Mod"]
 import FreeCAD, Part, Sketcher, _PartDesign
@@ -19,6 +20,9 @@ folder = sys.argv[1] + "/"
 box = Part.makeBox(40, 20, 10)
 plate = Part.makeBox(40, 40, 10).cut(Part.makeCylinder(8, 10, V(20, 20, 0)))
 box.exportStep(folder + "box.step")
+boss = Part.makeBox(50, 50, 8, V(-25, -25, 0)).fuse(Part.makeCylinder(12, 20, V(0, 0, 8)))
+on_foot = [Part.Vertex(V(12 * math.cos(a), 12 * math.sin(a), 8)) for a in (1.0, 2.9)]
+boss.generalFuse(on_foot)[0].Solids[0].exportStep(folder + "boss_with_foot_in_pieces.step")
 box.exportBrep(folder + "box.brep")
 box.exportIges(folder + "box.iges")
 box.exportStl(folder + "box.stl")

@@ -8,6 +8,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import hexfeature
@@ -86,3 +87,16 @@ Part.Face(Part.makePolygon([V(0, 0, 0), V(20, 0, 0), V(0, 0, 20), V(0, 0, 0)])).
     limits = hexfeature.mesh(wedge, size=3).report["limits"]
     assert limits["bound"] == pytest.approx(math.sin(math.radians(45)))
     assert sorted(round(e["angle_degrees"]) for e in limits["sharp_edges"])[:2] == [45, 45]
+
+
+@pytest.mark.parametrize("size", [3.9, 3.1, 2.6])
+def test_a_circle_of_several_cad_edges_is_followed_all_round(parts, size):
+    """Where no point stands on the vertex between two of them, the mesh edge across it belongs to the circle like the others."""
+    fit = hexfeature.mesh(parts / "boss_with_foot_in_pieces.step", size=size, stop_after="fit").stage("fit")
+    followed = {tuple(e) for e in np.sort(fit["feature_edges"], axis=1)}
+    quads, points = fit["quads"], fit["points"]
+    edges = {tuple(sorted(pair)) for q in quads for pair in zip(q, np.roll(q, -1))}
+    on_foot = np.isclose(np.hypot(points[:, 0], points[:, 1]), 12) & np.isclose(points[:, 2], 8)
+    foot = {e for e in edges if on_foot[e[0]] and on_foot[e[1]]}
+    assert len(foot) == on_foot.sum() > 12
+    assert foot <= followed
