@@ -1,28 +1,106 @@
 # HexFeatureWB - LGPL-2.1-or-later
 """Whether FreeCAD's constraints, which look for elements by geometry, find on every CAD face just the ones of its group."""
+import time
+
 import numpy as np
 
 #: FreeCAD takes what is nearer to a face than the face's own tolerance, which is not below 1e-7.
 NEAR = 9e-8
 
 
-def differing_groups(result, fem, shape, ids):
-    """{face number: (found, ours)} for the faces where FreeCAD finds others than ours; empty when all is well.
+class GroupCheck:
+    """Finds the faces where FreeCAD would find other elements than ours, by and by, so that a window stays alive: call `work` until it is
+    True.
 
-    result: the core's; the rest as of `check_groups`. For one solid whose nodes lie on their CAD entities an element is found on
-    a face when each of its nodes is known to lie on that face, its edges or its vertices: that takes no search. FreeCAD's own,
-    seconds for 100,000 elements, is made only on faces where this says that something differs.
+    FreeCAD's search measures every node near a face, and one call of it takes many seconds on a face with many holes. Here an element is
+    on a face, without measuring, when each of its nodes is known to lie on that face, its edges or its vertices. Measured as FreeCAD does
+    are only nodes that are not known to: those of the elements of ours that are missing so far; and, where several solids may touch, those
+    of every element in the face's box.
+
+    result: the core's; shape: the one that was meshed.
+    different: {face number: (found, ours)}; empty when all is well.
     """
-    report = result.report()
-    # Mid-side nodes farther off have no place on the CAD, so their elements are found on no face here.
-    if len(shape.Solids) != 1 or not report["faithfulness"]["largest_node_deviation"] < NEAR:
-        return check_groups(fem, shape, ids)
-    quads = np.asarray(result.quads8 if len(result.hexes20) else result.quads)
-    found = elements_on_faces(quads, np.asarray(result.node_dim), np.asarray(result.node_entity), faces_of_places(shape))
-    ours = np.asarray(result.quad_face)
-    none = np.zeros(0, dtype=int)
-    doubtful = [k for k in range(1, len(shape.Faces) + 1) if not np.array_equal(found.get(k, none), np.flatnonzero(ours == k))]
-    return check_groups(fem, shape, ids, doubtful)
+
+    def __init__(self, result, shape):
+        self.different = {}
+        self._shape, self._done = shape, 0
+        self._points = np.asarray(result.points)
+        self._quads = np.asarray(result.quads8 if len(result.hexes20) else result.quads)
+        self._ours = np.asarray(result.quad_face)
+        self._dim, self._entity = np.asarray(result.node_dim), np.asarray(result.node_entity)
+        # Nodes that are off their places are known to be nowhere. (Mid-side nodes farther off have no place.)
+        if not result.report()["faithfulness"]["largest_node_deviation"] < NEAR:
+            self._dim = np.full(len(self._dim), 3)
+        self._everywhere = len(shape.Solids) != 1
+        self._parts = self._look()
+
+    @property
+    def fraction(self):
+        return self._done / max(1, len(self._shape.Faces))
+
+    def work(self, seconds):
+        """Go on for about so long; True when every face has been looked at."""
+        end = time.monotonic() + seconds
+        for _ in self._parts:
+            if time.monotonic() > end:
+                return False
+        return True
+
+    def _look(self):
+        faces_of = faces_of_places(self._shape)
+        yield
+        known = elements_on_faces(self._quads, self._dim, self._entity, faces_of)
+        none = np.zeros(0, dtype=int)
+        for number, face in enumerate(self._shape.Faces, 1):
+            ours, found = np.flatnonzero(self._ours == number), known.get(number, none)
+            if self._everywhere or not np.array_equal(found, ours):
+                there = self._near(face) if self._everywhere else ours
+                there = np.setdiff1d(there, found)
+                if len(there):
+                    measured = _Measured(face, self._points, self._on(number, faces_of))
+                    more = []
+                    for quad in there.tolist():
+                        if all(map(measured.holds, self._quads[quad].tolist())):
+                            more.append(quad)
+                        yield
+                    found = np.union1d(found, np.array(more, dtype=int))
+                if not np.array_equal(found, ours):
+                    self.different[number] = len(np.intersect1d(found, ours)), len(ours)
+            self._done = number
+            yield
+
+    def _on(self, number, faces_of):
+        """Which nodes are known to lie on a face."""
+        on = np.zeros(len(self._dim), dtype=bool)
+        for dim, (start, faces) in enumerate(faces_of):
+            places = np.repeat(np.arange(len(start) - 1), np.diff(start))[faces == number] if len(faces) else []
+            on |= (self._dim == dim) & np.isin(self._entity, places)
+        return on
+
+    def _near(self, face):
+        """The elements all of whose nodes are in a face's box and, if it is plane, in its plane."""
+        box, within = face.BoundBox, max(face.Tolerance, NEAR)
+        low, high = (np.array([getattr(box, axis + end) for axis in "XYZ"]) for end in ("Min", "Max"))
+        near = ((self._points > low - within) & (self._points < high + within)).all(axis=1)
+        if hasattr(face.Surface, "Axis") and face.Surface.TypeId == "Part::GeomPlane":
+            near &= np.abs((self._points - np.array(face.Surface.Position)) @ np.array(face.Surface.Axis)) < 2 * within
+        return np.flatnonzero(near[self._quads].all(axis=1))
+
+
+class _Measured:
+    """Whether nodes lie on a face as FreeCAD's search has it; each is measured once, those `known` to never."""
+
+    def __init__(self, face, points, known):
+        self._face, self._points, self._known, self._holds = face, points, known, {}
+
+    def holds(self, node):
+        if self._known[node]:
+            return True
+        if node not in self._holds:
+            import Part
+
+            self._holds[node] = Part.Vertex(*self._points[node].tolist()).distToShape(self._face)[0] < self._face.Tolerance
+        return self._holds[node]
 
 
 def elements_on_faces(quads, dim, entity, faces_of):
@@ -66,16 +144,15 @@ def _flat(sets):
     return start, np.array([k for s in sets for k in sorted(s)], dtype=int)
 
 
-def check_groups(fem, shape, ids, faces=None):
-    """Compare faces' groups with what FreeCAD's own search (getFacesByFace) finds.
+def check_groups(fem, shape, ids):
+    """The same by FreeCAD's own search (getFacesByFace): tells that GroupCheck is right, but may take minutes.
 
-    fem: Fem.FemMesh with ids by `fem_mesh.to_fem_mesh`; shape: the one that was meshed; faces: numbers, None for all.
+    fem: Fem.FemMesh with ids by `fem_mesh.to_fem_mesh`; shape: the one that was meshed.
     Returns {face number: (found, ours)} for the faces that differ; empty when all is well.
     """
     different = {}
-    for number in range(1, len(shape.Faces) + 1) if faces is None else faces:
-        ours = ids["faces"].get(number, [])
-        found = fem.getFacesByFace(shape.Faces[number - 1])
+    for number, face in enumerate(shape.Faces, 1):
+        ours, found = ids["faces"].get(number, []), fem.getFacesByFace(face)
         if sorted(found) != ours:
             different[number] = (len(set(found) & set(ours)), len(ours))
     return different

@@ -5,13 +5,13 @@ import json
 import FreeCAD
 
 from . import core, fem_mesh, mesh_object
-from .group_check import differing_groups
+from .group_check import GroupCheck
 from .source import brep_of, names_of, shape_to_mesh
 from .translate import tr
 
 MeshingError = core.load().MeshingError
 
-#: (B-rep text, options, result, FemMeshBuilder): what a panel has just made, for the next call that asks for the same.
+#: (B-rep text, options, result, FemMeshBuilder, GroupCheck): what a panel has just made, for the next call that asks for the same.
 _ready = None
 
 
@@ -89,23 +89,29 @@ def set_options(mesh_obj, options):
             raise usage("option '%s' cannot be %r" % (option, value)) from None
 
 
-def offer(brep, options, result, builder=None):
-    """Lend a finished result, and its Fem.FemMesh when it is built, to the next mesh() or refresh() of the same part and options:
-    the line that the macro recorder sees is then the very line that put the mesh into the document, though a worker made it."""
+def offer(brep, options, result, builder=None, check=None):
+    """Lend a finished result, and its Fem.FemMesh and check of groups when they are done, to the next mesh() or refresh() of the same part
+    and options: the line that the macro recorder sees is then the very line that put the mesh into the document, though a worker made
+    it."""
     global _ready
-    _ready = (brep, dict(options), result, builder)
+    _ready = (brep, dict(options), result, builder, check)
 
 
-def _compute(brep, options, progress, cancelled):
-    """(result, Fem.FemMesh, its ids)"""
+def _compute(shape, options, progress, cancelled):
+    """(result, FemMeshBuilder, GroupCheck), both done"""
     global _ready
     ready, _ready = _ready, None
+    brep = brep_of(shape)
     if ready and ready[:2] == (brep, options):
-        result, builder = ready[2:]
+        result, builder, check = ready[2:]
     else:
         # The options are checked by the core; a text is the way that is free of FreeCAD's OpenCASCADE version.
-        result, builder = core.load().mesh_brep(brep, options, progress, None, cancelled), None
-    return (result, builder.mesh, builder.ids) if builder else (result, *fem_mesh.to_fem_mesh(result))
+        result, builder, check = core.load().mesh_brep(brep, options, progress, None, cancelled), None, None
+    builder, check = builder or fem_mesh.FemMeshBuilder(result), check or GroupCheck(result, shape)
+    for each in builder, check:
+        while not each.work(3600):
+            pass
+    return result, builder, check
 
 
 def _fill(mesh_obj, progress, cancelled):
@@ -113,10 +119,11 @@ def _fill(mesh_obj, progress, cancelled):
     source = mesh_object.source_of(mesh_obj)
     shape = shape_to_mesh(source, mesh_obj.Solid)
     names = names_of(source, shape)
-    result, fem, ids = _compute(brep_of(shape), mesh_object.options_of(mesh_obj), progress, cancelled)
+    result, builder, check = _compute(shape, mesh_object.options_of(mesh_obj), progress, cancelled)
+    fem, ids = builder.mesh, builder.ids
     fem_mesh.add_groups(fem, ids, names)
     report = result.report()
-    report["groups_not_found_by_geometry"] = differing_groups(result, fem, shape, ids)
+    report["groups_not_found_by_geometry"] = check.different
     # Seams and the vertices where closed curves begin have no nodes of their own: a constraint put there finds nothing.
     report["entities_without_nodes"] = [
         name for kind, items in (("edges", shape.Edges), ("vertices", shape.Vertexes))

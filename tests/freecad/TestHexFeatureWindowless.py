@@ -3,6 +3,7 @@
 import os
 import re
 import tempfile
+import types
 import unittest
 
 import FreeCAD
@@ -96,20 +97,75 @@ class TestOlderDocument(DocumentTest):
 
 
 class TestGroupCheck(DocumentTest):
+    """On a bar one element thick inner quads' nodes all lie on the cylinder too; the boxes touch."""
+
+    touching = Part.makeCompound([Part.makeBox(20, 10, 10), Part.makeBox(20, 10, 10, FreeCAD.Vector(20, 0, 0))])
+
     def test_says_what_freecads_search_finds(self):
-        """On a bar one element thick inner quads' nodes all lie on the cylinder too; the boxes touch."""
         from HexFeatureWB import core, fem_mesh, group_check
 
-        touching = Part.makeCompound([Part.makeBox(20, 10, 10), Part.makeBox(20, 10, 10, FreeCAD.Vector(20, 0, 0))])
-        differ = 0
-        for shape, size in ((Part.makeCylinder(3, 20), 6.0), (make_parts.connecting_rod(), 6.4), (make_parts.box(), 5.0), (touching, 5.0)):
+        turned, differ = self.touching.rotated(FreeCAD.Vector(), FreeCAD.Vector(1, 2, 3), 40), 0
+        for shape, size in ((Part.makeCylinder(3, 20), 6.0), (make_parts.connecting_rod(), 6.4), (make_parts.box(), 5.0),
+                            (self.touching, 5.0), (turned, 5.0)):
             for order in (1, 2):
                 result = core.load().mesh_brep(shape.exportBrepToString(), {"size": size, "order": order})
+                check = group_check.GroupCheck(result, shape)
+                self.assertTrue(check.work(60))
                 fem, ids = fem_mesh.to_fem_mesh(result)
-                found = group_check.differing_groups(result, fem, shape, ids)
-                self.assertEqual(found, group_check.check_groups(fem, shape, ids))
-                differ += bool(found)
-        self.assertEqual(differ, 4)
+                self.assertEqual(check.different, group_check.check_groups(fem, shape, ids))
+                differ += bool(check.different)
+        self.assertEqual(differ, 6)
+
+    def test_finds_nodes_that_are_on_no_entity_of_the_face(self):
+        """As in a mesh that lost edges, where a face's elements have nodes on others' edges."""
+        from HexFeatureWB import core, fem_mesh, group_check
+
+        shape = make_parts.box()
+        result = core.load().mesh_brep(shape.exportBrepToString(), {"size": 5.0, "order": 2})
+        fem, ids = fem_mesh.to_fem_mesh(result)
+        places = np.array(result.node_dim)
+        lost = types.SimpleNamespace(
+            points=result.points, quads=result.quads, quads8=result.quads8, hexes20=result.hexes20, report=result.report,
+            quad_face=np.array(result.quad_face), node_dim=places, node_entity=result.node_entity)
+        places[np.flatnonzero((places == 2) & (np.asarray(result.node_entity) == 1))[:3]] = 3  # on Face1 by geometry alone
+        moved = int(np.flatnonzero(lost.quad_face == 3)[0])
+        lost.quad_face[moved] = 2  # an element that lies on another face
+        for number in (2, 3):
+            ids["faces"][number] = (np.flatnonzero(lost.quad_face == number) + 1 + fem.HexaCount).tolist()
+        check, count = group_check.GroupCheck(lost, shape), 0
+        while not check.work(0):
+            count += 1
+        self.assertGreater(count, len(shape.Faces))  # the window is alive between faces, and between elements of one
+        self.assertEqual(sorted(check.different), [2, 3])
+        self.assertEqual(check.different, group_check.check_groups(fem, shape, ids))
+
+    def test_measures_few_nodes(self):
+        """Each costs milliseconds on a face with many holes."""
+        from HexFeatureWB import core, group_check
+
+        plate = make_parts.box()
+        result = core.load().mesh_brep(plate.exportBrepToString(), {"size": 1.0, "order": 1})
+        measured, real = [], group_check._Measured
+
+        class Counting(real):
+            def holds(self, node):
+                measured.append(node)
+                return super().holds(node)
+
+        group_check._Measured = Counting
+        try:
+            self.assertTrue(group_check.GroupCheck(result, plate).work(60))
+            self.assertEqual(measured, [])
+            one = types.SimpleNamespace(
+                points=result.points, quads=result.quads, hexes20=[], report=result.report, node_dim=result.node_dim,
+                node_entity=result.node_entity, quad_face=np.array(result.quad_face))
+            one.quad_face[np.flatnonzero(one.quad_face == 3)[:2]] = 2
+            self.assertTrue(group_check.GroupCheck(one, plate).work(60))
+            self.assertTrue(measured)
+            ours = np.flatnonzero(np.asarray(result.quad_face) == 3)[:2]
+            self.assertLessEqual(set(measured), set(np.asarray(result.quads)[ours].ravel()))
+        finally:
+            group_check._Measured = real
 
 
 class TestJob(unittest.TestCase):

@@ -1,5 +1,6 @@
 # HexFeatureWB - LGPL-2.1-or-later
 """The task panel: preview, meshing, Cancel, failures, what can be selected."""
+import json
 import threading
 import types
 
@@ -9,9 +10,10 @@ import FreeCADGui
 import make_parts
 from driver import child, live, picture, wait_until
 from gui_test import GuiTest
+from PySide import QtCore
 
 import HexFeatureWB
-from HexFeatureWB import core, fem_mesh, mesh_object, meshing
+from HexFeatureWB import core, fem_mesh, group_check, mesh_object, meshing
 from HexFeatureWB.gui import messages, run, selection, task_panel
 from HexFeatureWB.job import Job
 
@@ -182,6 +184,32 @@ class TestTaskPanel(GuiTest):
         self.assertEqual(shown, [2])  # how it is picked, the mesh
         self.assertEqual(panel.preview._root.getNumChildren(), 1)
         self.assertTrue(panel.mesh.ViewObject.Visibility)
+
+    def test_the_window_is_alive_while_groups_are_checked(self):
+        """A check takes as long as nodes lie on no entity of their face; slices of it, not one call of FreeCAD's search."""
+        document, part = driver.show_part(make_parts.box())
+        panel = self.open_panel(part)
+        panel.size.set_value(5.0)
+        wait_until(lambda: not panel.preview.busy)
+        handled, slices, steps = [], [], set()
+
+        class OneByOne(group_check.GroupCheck):
+            def work(self, seconds):
+                steps.add(panel.job.step if panel.job else "document")
+                slices.append(len(handled))
+                QtCore.QTimer.singleShot(0, lambda: handled.append(1))
+                return super().work(0)
+
+        run.GroupCheck = meshing.GroupCheck = OneByOne
+        try:
+            child(panel.form, "mesh_button").click()
+            wait_until(lambda: panel.job is None)
+        finally:
+            run.GroupCheck = meshing.GroupCheck = group_check.GroupCheck
+        self.assertGreater(len(slices), len(part.Shape.Faces))
+        self.assertGreater(slices[-2], len(part.Shape.Faces) - 2)  # events between them
+        self.assertIn("groups", steps)
+        self.assertEqual(json.loads(panel.mesh.Report)["groups_not_found_by_geometry"], {})
 
     def test_a_mesh_is_taken_though_the_part_was_drawn_anew(self):
         document, part = driver.show_part(make_parts.bracket().Solids[0])

@@ -40,6 +40,7 @@ def step_titles():
         "tetrahedra": tr("tetrahedra"),
         "write": tr("writing"),
         "build": tr("building FreeCAD's mesh"),
+        "groups": tr("checking groups"),
         "options": tr("options"),
         "export": tr("writing"),
         "": tr("starting"),

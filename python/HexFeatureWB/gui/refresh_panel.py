@@ -5,7 +5,7 @@ import FreeCADGui
 from PySide import QtGui
 
 from .. import mesh_object, meshing
-from ..source import brep_of, names_of, shape_to_mesh
+from ..source import names_of, shape_to_mesh
 from ..translate import tr
 from . import messages, record
 from .run import Run
@@ -48,11 +48,11 @@ class RefreshPanel:
         while self.waiting:
             self.mesh = self.waiting.pop(0)
             try:
-                brep = brep_of(shape_to_mesh(mesh_object.source_of(self.mesh), self.mesh.Solid))
+                shape = shape_to_mesh(mesh_object.source_of(self.mesh), self.mesh.Solid)
             except meshing.MeshingError as error:
                 self._failed(error)
                 continue
-            self.run.start(brep, mesh_object.options_of(self.mesh))
+            self.run.start(shape, mesh_object.options_of(self.mesh))
             return
         self.cancel_button.setEnabled(False)
         if not self.failed:

@@ -1,18 +1,20 @@
 # HexFeatureWB - LGPL-2.1-or-later
-"""One run of a panel: the core in a worker thread, then FreeCAD's mesh built in slices between the window's events."""
+"""One run of a panel: the core in a worker thread, then, in slices between the window's events, FreeCAD's mesh built and groups checked."""
 import time
 
 from PySide import QtCore
 
 from .. import meshing
 from ..fem_mesh import FemMeshBuilder
+from ..group_check import GroupCheck
 from ..job import Job
+from ..source import brep_of
 
 POLL = 50  #: ms between two looks at the worker
 POLL_CANCELLED = 5  #: ms, once it has been cancelled
 PATIENCE = 0.1  #: s that a cancelled worker is waited for; a later one is left to end by itself
-SLICE = 0.1  #: s of building between two looks at the window
-BUILDING = "build"  #: the step's name
+SLICE = 0.1  #: s of building or checking between two looks at the window
+BUILDING, CHECKING = "build", "groups"  #: the steps' names
 
 
 class Run(QtCore.QObject):
@@ -25,14 +27,14 @@ class Run(QtCore.QObject):
     def __init__(self, parent, looked, ended):
         super().__init__(parent)
         self._looked, self._ended = looked, ended
-        self.job = self._builder = None
+        self.job = self._builder = self._check = None
         self._timer = QtCore.QTimer(self)
         self._timer.timeout.connect(self._look)
         self.destroyed.connect(lambda *_: self.job and self.job.cancel())
 
-    def start(self, brep, options):
-        self._builder = None
-        self.job = Job(brep, options).start()
+    def start(self, shape, options):
+        self._shape, self._builder, self._check = shape, None, None
+        self.job = Job(brep_of(shape), options).start()
         self._timer.start(POLL)
 
     def cancel(self):
@@ -46,7 +48,7 @@ class Run(QtCore.QObject):
         """End at once, `ended` is not called; the worker stops by itself."""
         self._timer.stop()
         self.cancel()
-        self.job = self._builder = None
+        self.job = self._builder = self._check = None
 
     def _look(self):
         job = self.job
@@ -60,22 +62,28 @@ class Run(QtCore.QObject):
             self._looked(job)
             return
         self._timer.stop()
-        self.job, builder, self._builder = None, self._builder, None
+        builder, check = self._builder, self._check
+        self.job = self._builder = self._check = None
         error = meshing.cancelled_error(job.step) if job.was_cancelled else job.error
         if error is None:
-            meshing.offer(job.brep, job.options, job.result, builder)
+            meshing.offer(job.brep, job.options, job.result, builder, check)
         self._ended(job, error)
 
     def _built(self, job):
-        """Go on building. True when that is over, by an error too."""
+        """Go on building, then checking. True when that is over, by an error too."""
         try:
             if self._builder is None:
                 job.step, job.fraction = BUILDING, 0.0
                 self._builder = FemMeshBuilder(job.result)
                 self._timer.start(0)
-            done = self._builder.work(SLICE)
+            if self._check is None and self._builder.work(SLICE):
+                job.step = CHECKING
+                self._check = GroupCheck(job.result, self._shape)
+                return False
+            work = self._check or self._builder
+            done = self._check is not None and self._check.work(SLICE)
         except Exception as error:  # memory that is short, whatever SMESH raises
-            job.result, job.error = None, meshing.building_error(BUILDING, error)
+            job.result, job.error = None, meshing.building_error(job.step, error)
             return True
-        job.fraction = self._builder.fraction
+        job.fraction = work.fraction
         return done

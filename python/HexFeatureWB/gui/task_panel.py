@@ -270,12 +270,12 @@ class HexMeshPanel:
         self.log.clear()
         self._shown_lines, self._mesh_drawn = 0, False
         try:
-            brep = brep_of(self._shape())
+            shape = self._shape()
         except meshing.MeshingError as error:
             self.state.setText(messages.failure_text(error, None))
             return
         self.preview.pause()
-        self.run.start(brep, self.chosen())
+        self.run.start(shape, self.chosen())
         self._set_running(True)
 
     def cancel(self):
