@@ -1,6 +1,7 @@
 # HexFeatureWB - LGPL-2.1-or-later
 """Arrays to FreeCAD's Fem.FemMesh and its groups. The only place that knows SMESH's node order."""
 import collections
+import itertools
 import re
 import time
 
@@ -23,6 +24,7 @@ class FemMeshBuilder:
     """Builds a Fem.FemMesh of a core result by and by, so that a window stays alive meanwhile: call `work` until it is True.
 
     result: hexfeature._core.Result, certified.
+    names: those of groups, one for each CAD face, edge, vertex and solid (see `_groups`); None for a mesh without groups.
     mesh: node i of the result has id i + 1, then hexahedron i, and behind the hexahedra quad i.
     ids: ["faces"][CAD face number], ["edges"][...], ["vertices"][...] are sorted lists of face-element ids (faces) and node ids
     (edges, vertices); ["solids"][n] are volume ids.
@@ -30,7 +32,7 @@ class FemMeshBuilder:
 
     CHUNK = 2000  # entities between two looks at the clock
 
-    def __init__(self, result):
+    def __init__(self, result, names=None):
         import Fem
 
         self.mesh = Fem.FemMesh()
@@ -41,6 +43,9 @@ class FemMeshBuilder:
         self.ids = _group_ids(result, len(hexes) + 1)
         self._done, self._all = 0, len(points) + len(hexes) + len(quads)
         self._parts = self._chunks(points, hexes, quads)
+        if names is not None:
+            self._all += sum(len(members) for of_kind in self.ids.values() for members in of_kind.values())
+            self._parts = itertools.chain(self._parts, self._groups(names))
 
     def _chunks(self, points, hexes, quads):
         # SMESH numbers nodes and elements by itself in the order they come. Given numbers cost as much again: addNode fails first to
@@ -55,6 +60,19 @@ class FemMeshBuilder:
                     raise RuntimeError("SMESH gave the number %d where %d was next" % (last, first + at + len(some) - 1))
                 self._done += len(some)
                 yield
+
+    def _groups(self, names):
+        """names: dict kind -> function from the core's number to the FreeCAD name ("Face7"), or None to leave it out."""
+        kinds = {"faces": "Face", "edges": "Node", "vertices": "Node", "solids": "Volume"}
+        for kind, element_type in kinds.items():
+            for number, members in sorted(self.ids[kind].items()):
+                name = names[kind](number)
+                if name:
+                    group = self.mesh.addGroup(name, element_type)
+                    for at in range(0, len(members), self.CHUNK):
+                        self.mesh.addGroupElements(group, members[at:at + self.CHUNK])
+                        yield
+                self._done += len(members)
 
     @property
     def fraction(self):
@@ -95,19 +113,6 @@ def first_middle(result):
     if len(result.hexes20) == 0:
         return len(result.points)
     return int(np.asarray(result.hexes20)[:, 8:].min())
-
-
-def add_groups(mesh, ids, names):
-    """Add one group per CAD face, edge, vertex and solid.
-
-    names: dict kind -> function from the core's number to the FreeCAD name ("Face7"), or None to leave it out.
-    """
-    kinds = {"faces": "Face", "edges": "Node", "vertices": "Node", "solids": "Volume"}
-    for kind, element_type in kinds.items():
-        for number, members in sorted(ids[kind].items()):
-            name = names[kind](number)
-            if name:
-                mesh.addGroupElements(mesh.addGroup(name, element_type), members)
 
 
 def feature_line_nodes(result):

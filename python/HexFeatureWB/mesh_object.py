@@ -129,13 +129,27 @@ def made_of(obj):
     shape = getattr(source, "Shape", None)
     if shape is None or shape.isNull():
         return ""
-    # Volume, area and centre are of the geometry: the same after saving and reading, unlike the B-rep's text.
-    centre = shape.CenterOfGravity if hasattr(shape, "CenterOfGravity") else shape.BoundBox.Center
-    part = [len(shape.Solids), len(shape.Faces), len(shape.Edges)] + [
-        "%.7g" % value for value in (shape.Volume, shape.Area, *(round(c, 6) + 0.0 for c in centre))
-    ]
+    part = _measured(shape)
     chosen = {name: value for name, value in options_of(obj).items() if name not in ("threads", "time_limit")}
     return json.dumps([source.Name, obj.Solid, part, chosen])
+
+
+#: (shape, its numbers): the last that was measured
+_last_measured = None, None
+
+
+def _measured(shape):
+    """Numbers of the geometry: the same after saving and reading, unlike the B-rep's text. Integrals over a part of a hundred faces take a
+    tenth of a second, so they are kept until another part is asked for."""
+    global _last_measured
+    last, part = _last_measured
+    if last is None or not last.isSame(shape):
+        centre = shape.CenterOfGravity if hasattr(shape, "CenterOfGravity") else shape.BoundBox.Center
+        part = [len(shape.Solids), len(shape.Faces), len(shape.Edges)] + [
+            "%.7g" % value for value in (shape.Volume, shape.Area, *(round(c, 6) + 0.0 for c in centre))
+        ]
+        _last_measured = shape, part
+    return part
 
 
 def update_needs_refresh(obj):

@@ -97,7 +97,7 @@ def offer(brep, options, result, builder=None, check=None):
     _ready = (brep, dict(options), result, builder, check)
 
 
-def _compute(shape, options, progress, cancelled):
+def _compute(shape, names, options, progress, cancelled):
     """(result, FemMeshBuilder, GroupCheck), both done"""
     global _ready
     ready, _ready = _ready, None
@@ -107,7 +107,7 @@ def _compute(shape, options, progress, cancelled):
     else:
         # The options are checked by the core; a text is the way that is free of FreeCAD's OpenCASCADE version.
         result, builder, check = core.load().mesh_brep(brep, options, progress, None, cancelled), None, None
-    builder, check = builder or fem_mesh.FemMeshBuilder(result), check or GroupCheck(result, shape)
+    builder, check = builder or fem_mesh.FemMeshBuilder(result, names), check or GroupCheck(result, shape)
     for each in builder, check:
         while not each.work(3600):
             pass
@@ -119,9 +119,8 @@ def _fill(mesh_obj, progress, cancelled):
     source = mesh_object.source_of(mesh_obj)
     shape = shape_to_mesh(source, mesh_obj.Solid)
     names = names_of(source, shape)
-    result, builder, check = _compute(shape, mesh_object.options_of(mesh_obj), progress, cancelled)
+    result, builder, check = _compute(shape, names, mesh_object.options_of(mesh_obj), progress, cancelled)
     fem, ids = builder.mesh, builder.ids
-    fem_mesh.add_groups(fem, ids, names)
     report = result.report()
     report["groups_not_found_by_geometry"] = check.different
     # Seams and the vertices where closed curves begin have no nodes of their own: a constraint put there finds nothing.

@@ -271,7 +271,7 @@ class TestTaskPanel(GuiTest):
 
     def test_a_mesh_that_freecad_cannot_take_is_a_failure(self):
         class NoRoom(fem_mesh.FemMeshBuilder):
-            def __init__(self, result):
+            def __init__(self, *_):
                 raise RuntimeError("no room")
 
         class HalfRoom(fem_mesh.FemMeshBuilder):

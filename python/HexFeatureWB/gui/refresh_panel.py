@@ -48,12 +48,10 @@ class RefreshPanel:
         while self.waiting:
             self.mesh = self.waiting.pop(0)
             try:
-                shape = shape_to_mesh(mesh_object.source_of(self.mesh), self.mesh.Solid)
+                self.run.start(mesh_object.source_of(self.mesh), self.mesh.Solid, mesh_object.options_of(self.mesh))
+                return
             except meshing.MeshingError as error:
                 self._failed(error)
-                continue
-            self.run.start(shape, mesh_object.options_of(self.mesh))
-            return
         self.cancel_button.setEnabled(False)
         if not self.failed:
             self.reject()

@@ -8,7 +8,7 @@ from .. import meshing
 from ..fem_mesh import FemMeshBuilder
 from ..group_check import GroupCheck
 from ..job import Job
-from ..source import brep_of
+from ..source import brep_of, names_of, shape_to_mesh
 
 POLL = 50  #: ms between two looks at the worker
 POLL_CANCELLED = 5  #: ms, once it has been cancelled
@@ -32,9 +32,12 @@ class Run(QtCore.QObject):
         self._timer.timeout.connect(self._look)
         self.destroyed.connect(lambda *_: self.job and self.job.cancel())
 
-    def start(self, shape, options):
-        self._shape, self._builder, self._check = shape, None, None
-        self.job = Job(brep_of(shape), options).start()
+    def start(self, source, solid, options):
+        """Mesh a document object's solid. Raises MeshingError when it has none."""
+        self._shape = shape_to_mesh(source, solid)
+        self._names = names_of(source, self._shape)
+        self._builder = self._check = None
+        self.job = Job(brep_of(self._shape), options).start()
         self._timer.start(POLL)
 
     def cancel(self):
@@ -74,7 +77,7 @@ class Run(QtCore.QObject):
         try:
             if self._builder is None:
                 job.step, job.fraction = BUILDING, 0.0
-                self._builder = FemMeshBuilder(job.result)
+                self._builder = FemMeshBuilder(job.result, self._names)
                 self._timer.start(0)
             if self._check is None and self._builder.work(SLICE):
                 job.step = CHECKING

@@ -270,12 +270,11 @@ class HexMeshPanel:
         self.log.clear()
         self._shown_lines, self._mesh_drawn = 0, False
         try:
-            shape = self._shape()
+            self.run.start(self.source, self.solid.currentIndex(), self.chosen())
         except meshing.MeshingError as error:
             self.state.setText(messages.failure_text(error, None))
             return
         self.preview.pause()
-        self.run.start(shape, self.chosen())
         self._set_running(True)
 
     def cancel(self):
