@@ -263,14 +263,14 @@
   <context>
     <name>HexFeature</name>
     <message>
-      <source>%(count)s hexahedra in %(seconds).1f s (%(method)s)
-scaled Jacobian: worst %(worst).3f, mean %(mean).3f</source>
-      <translation>%(count)s Hexaeder in %(seconds).1f s (%(method)s)
-skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translation>
+      <source>%(count)s hexahedra in %(seconds)s s (%(method)s)
+scaled Jacobian: worst %(worst)s, mean %(mean)s</source>
+      <translation>%(count)s Hexaeder in %(seconds)s s (%(method)s)
+skalierte Jacobi-Zahl: schlechteste %(worst)s, mittlere %(mean)s</translation>
     </message>
     <message>
-      <source>%(mesh)s (%(number)d of %(count)d): %(step)s, %(seconds).1f s</source>
-      <translation>%(mesh)s (%(number)d von %(count)d): %(step)s, %(seconds).1f s</translation>
+      <source>%(mesh)s (%(number)d of %(count)d): %(step)s, %(seconds)s s</source>
+      <translation>%(mesh)s (%(number)d von %(count)d): %(step)s, %(seconds)s s</translation>
     </message>
     <message>
       <source>%(meshed)d of %(all)d meshed; summary.csv is in %(folder)s</source>
@@ -281,8 +281,8 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>%(some)s von %(all)s Elementen</translation>
     </message>
     <message>
-      <source>%(step)s, %(seconds).1f s</source>
-      <translation>%(step)s, %(seconds).1f s</translation>
+      <source>%(step)s, %(seconds)s s</source>
+      <translation>%(step)s, %(seconds)s s</translation>
     </message>
     <message>
       <source>%1 and %2 share a border</source>
@@ -527,6 +527,10 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
     <message>
       <source>FreeCAD finds %(found)d of the %(all)d elements on %(face)s by geometry; a load put there may miss some.</source>
       <translation>FreeCAD findet nach der Geometrie %(found)d der %(all)d Elemente auf %(face)s; eine Last dort verfehlt vielleicht einige.</translation>
+    </message>
+    <message>
+      <source>FreeCAD misses elements on %d faces: a load there may be short (see the report view)</source>
+      <translation>FreeCAD findet auf %d Flächen nicht alle Elemente: eine Last dort kann zu klein ausfallen (siehe Ausgabefenster)</translation>
     </message>
     <message>
       <source>FreeCAD's mesh cannot be built</source>
@@ -1005,6 +1009,10 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>den Pfad prüfen</translation>
     </message>
     <message>
+      <source>checking groups</source>
+      <translation>Gruppen werden geprüft</translation>
+    </message>
+    <message>
       <source>choose a larger element size</source>
       <translation>eine größere Elementgröße wählen</translation>
     </message>
@@ -1281,8 +1289,8 @@ skalierte Jacobi-Zahl: schlechteste %(worst).3f, mittlere %(mean).3f</translatio
       <translation>Mittelknoten</translation>
     </message>
     <message>
-      <source>min SJ %1</source>
-      <translation>schlechteste SJ %1</translation>
+      <source>min SJ %1, inverted %2 of %3</source>
+      <translation>kleinste SJ %1, umgestülpt %2 von %3</translation>
     </message>
     <message>
       <source>must be a finite number</source>

@@ -6,6 +6,9 @@ import time
 from . import core
 
 
+SIGHT = 0.15  #: s that a first look is given to get on the screen
+
+
 class Job(threading.Thread):
     """One run of the core on a B-rep text; the interpreter is free meanwhile.
 
@@ -21,6 +24,7 @@ class Job(threading.Thread):
         self._wants_looks = wants_looks
         #: if wanted: number of a solid -> (Result with the stages labels and shape, whether they are final), the newest; grows
         self.looks = {}
+        self.seen = threading.Event()  #: to be set when a look that is not final is on the screen
         self.step, self.fraction = "", 0.0
         self.lines = []  #: of the log, in order; other threads may read it while it grows
         self.started_at = self.ended_at = None
@@ -47,6 +51,7 @@ class Job(threading.Thread):
     def cancel(self):
         """Ask it to stop; it ends within 0.2 s."""
         self._cancelled.set()
+        self.seen.set()
 
     @property
     def was_cancelled(self):
@@ -63,7 +68,10 @@ class Job(threading.Thread):
         self.step, self.fraction = step, fraction
 
     def _take_look(self, result, solid, final):
+        self.seen.clear()
         self.looks[solid] = result, final
+        if not final:  # drawing needs the processors that the core's threads would take
+            self.seen.wait(SIGHT)
 
     def _log(self, line):
         self.lines.append("%6.2f s  %s" % (self.seconds, line))

@@ -13,7 +13,7 @@ class HexMeshView:
     def __init__(self, view):
         view.Proxy = self
         self.add_properties(view)
-        # Below so many faces FreeCAD compares each with each to leave out double ones, seconds for 20,000. Ours are on the boundary, each once.
+        # Below so many faces FreeCAD compares each with each, to leave out double ones: seconds for 20,000. Ours are there once.
         if hasattr(view, "MaxFacesShowInner"):
             view.MaxFacesShowInner = 0
 

@@ -3,6 +3,7 @@
 import os
 import re
 import tempfile
+import time
 import types
 import unittest
 
@@ -213,6 +214,33 @@ class TestJob(unittest.TestCase):
         two, job = looks(Part.makeCompound([make_parts.box(), other]), 5.0)
         self.assertEqual([look[:2] for look in two], [(1, False), (1, True), (2, False), (2, True)])
         self.assertTrue(job.looks[1][1] and job.looks[2][1])
+
+    def test_a_first_look_is_given_time_to_get_on_the_screen(self):
+        from HexFeatureWB import job as of_job
+
+        real, of_job.SIGHT = of_job.SIGHT, 60
+        try:
+            shape = Part.makeCompound([make_parts.box(), make_parts.pipe_tee()])
+            job = of_job.Job(shape.exportBrepToString(), {"size": 5.0, "stop_after": "shape"}, wants_looks=True).start()
+            for solid in (1, 2):
+                while solid not in job.looks:
+                    time.sleep(0.01)
+                job.join(0.3)
+                self.assertEqual((len(job.looks), job.looks[solid][1]), (solid, False))
+                job.seen.set()
+                if solid == 1:
+                    while not job.looks[1][1]:
+                        time.sleep(0.01)
+            job.join(60)
+            self.assertTrue(job.looks[2][1])
+            job = of_job.Job(shape.exportBrepToString(), {"size": 5.0, "stop_after": "shape"}, wants_looks=True).start()
+            while 1 not in job.looks:
+                time.sleep(0.01)
+            job.cancel()
+            job.join(30)
+            self.assertEqual(job.error.kind, "cancelled")
+        finally:
+            of_job.SIGHT = real
 
 
 class TestForceOnARoundFace(DocumentTest):

@@ -10,6 +10,7 @@ import FreeCADGui
 import make_parts
 from driver import child, live, picture, wait_until
 from gui_test import GuiTest
+from pivy import coin
 from PySide import QtCore
 
 import HexFeatureWB
@@ -210,6 +211,26 @@ class TestTaskPanel(GuiTest):
         self.assertGreater(slices[-2], len(part.Shape.Faces) - 2)  # events between them
         self.assertIn("groups", steps)
         self.assertEqual(json.loads(panel.mesh.Report)["groups_not_found_by_geometry"], {})
+
+    def test_faces_are_drawn_without_a_search_for_double_ones(self):
+        document, part = driver.show_part(make_parts.box())
+        mesh = self.mesh(part, 5)
+
+        def drawn():
+            search = coin.SoSearchAction()
+            search.setType(coin.SoIndexedFaceSet.getClassTypeId())
+            search.setInterest(coin.SoSearchAction.ALL)
+            search.setSearchingAll(True)
+            search.apply(mesh.ViewObject.RootNode)
+            paths = search.getPaths()
+            return [paths[k].getTail().coordIndex.getNum() for k in range(paths.getLength())]
+
+        self.assertEqual(mesh.ViewObject.MaxFacesShowInner, 0)
+        without = drawn()
+        mesh.ViewObject.MaxFacesShowInner = 50000  # as FreeCAD has it
+        mesh.FemMesh = mesh.FemMesh
+        self.assertEqual(drawn(), without)
+        self.assertGreater(max(without), 100)
 
     def test_a_mesh_is_taken_though_the_part_was_drawn_anew(self):
         document, part = driver.show_part(make_parts.bracket().Solids[0])

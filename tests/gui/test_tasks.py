@@ -14,10 +14,10 @@ import FreeCADGui
 import make_parts
 from driver import child, live, picture, wait_until
 from gui_test import GuiTest
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 import HexFeatureWB
-from HexFeatureWB.gui import messages, quality_panel, refresh_panel, task_panel
+from HexFeatureWB.gui import messages, quality_panel, refresh_panel, task_panel, widgets
 from HexFeatureWB.job import Job
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -261,6 +261,19 @@ class TestZGerman(GuiTest):
                                  mesh.getGroupOfProperty(name)):
                         self.assertTrue(text in ("Beta", "Threads") or FreeCAD.Qt.translate("App::Property", text) != text, text)
         finally:
+            FreeCADGui.setLocale("English")
+
+    def test_numbers_are_as_the_language_has_them(self):
+        system = QtCore.QLocale()
+        try:
+            for language, lengths, count, share in (
+                    ("English", "en_US", "12,345", "0.838"), ("German", "de_DE", "12.345", "0,838"),
+                    ("German", "C", "12\N{NO-BREAK SPACE}345", "0,838"), ("English", "de_DE", "12\N{NO-BREAK SPACE}345", "0.838")):
+                FreeCADGui.setLocale(language)
+                QtCore.QLocale.setDefault(QtCore.QLocale(lengths))  # what FreeCAD writes the size with, beside the count
+                self.assertEqual((widgets.number(12345), widgets.number(345), widgets.decimal(0.8376, 3)), (count, "345", share))
+        finally:
+            QtCore.QLocale.setDefault(system)
             FreeCADGui.setLocale("English")
 
     def test_the_panel_speaks_german(self):

@@ -13,7 +13,7 @@ from ..source import brep_of
 from ..translate import tr
 from . import messages, record, settings
 from .run import PATIENCE, POLL, POLL_CANCELLED
-from .widgets import LengthEdit, OptionWidget, title_of
+from .widgets import LengthEdit, OptionWidget, decimal, title_of
 
 SHOWN = ("file", "solid", "result", "hexes", "min_sj", "mean_sj", "seconds", "why")
 SOURCES = "*.step *.stp *.iges *.igs *.brep *.brp *.FCStd"
@@ -146,7 +146,7 @@ class BatchDialog(QtGui.QDialog):
         job, item = self.job, self._item
         if job is not None and job.is_alive():
             if not job.was_cancelled:
-                self.state.setText("%s: %s, %.1f s" % (os.path.basename(item.file), messages.step_title(job.step), job.seconds))
+                self.state.setText("%s: %s, %s s" % (os.path.basename(item.file), messages.step_title(job.step), decimal(job.seconds, 1)))
                 return
             if time.monotonic() < self._give_up_at:
                 return

@@ -1,6 +1,7 @@
 # HexFeatureWB - LGPL-2.1-or-later
 """What the window says: failures with their reason and what to try, results."""
 import html
+import json
 import os
 
 import FreeCADGui
@@ -9,7 +10,7 @@ from PySide import QtCore, QtGui
 from ..translate import tr
 from ..view_provider import ICONS
 from .program_words import in_words, log_in_words, step_title, step_titles  # noqa: F401
-from .widgets import choice_title, number
+from .widgets import choice_title, decimal, number
 
 WAIT = QtCore.Qt.WaitCursor
 
@@ -87,7 +88,11 @@ def failure_text(error, faces, plain=False):
 
 
 def success_text(mesh):
-    """The figures of a mesh in two lines."""
-    return tr("%(count)s hexahedra in %(seconds).1f s (%(method)s)\nscaled Jacobian: worst %(worst).3f, mean %(mean).3f") % {
-        "count": number(mesh.HexCount), "seconds": mesh.Seconds, "method": choice_title("method", mesh.MethodUsed),
-        "worst": mesh.MinScaledJacobian, "mean": mesh.MeanScaledJacobian}
+    """The figures of a mesh in two lines, and what a user has to know before a load is put on it."""
+    text = tr("%(count)s hexahedra in %(seconds)s s (%(method)s)\nscaled Jacobian: worst %(worst)s, mean %(mean)s") % {
+        "count": number(mesh.HexCount), "seconds": decimal(mesh.Seconds, 1), "method": choice_title("method", mesh.MethodUsed),
+        "worst": decimal(mesh.MinScaledJacobian, 3), "mean": decimal(mesh.MeanScaledJacobian, 3)}
+    short = len(json.loads(mesh.Report).get("groups_not_found_by_geometry", {}))
+    if short:
+        text += "\n" + tr("FreeCAD misses elements on %d faces: a load there may be short (see the report view)") % short
+    return text

@@ -11,6 +11,8 @@ from . import messages, scene
 
 POLL, PATIENCE = 10, 250  #: ms: looking for the result; waiting for the user to end turning a knob
 
+PAINTING = 20  #: ms after which the 3D view has begun to paint what is new
+
 MESH = 0  #: stands for the mesh where others have the number of a solid
 MESH_COLOUR = (1.0, 0.7, 0.0)  #: as FreeCAD's own meshes
 
@@ -149,6 +151,8 @@ class Preview(QtCore.QObject):
                     self._take_away(solid)
             self.seconds, self.final = job.seconds, not alive
         self._ready(job)
+        if looks and alive:
+            QtCore.QTimer.singleShot(PAINTING, job.seen.set)
 
     def _take_away(self, solid):
         self.solids.pop(solid, None)

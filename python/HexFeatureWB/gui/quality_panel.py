@@ -8,7 +8,7 @@ from PySide import QtCore, QtGui
 from .. import mesh_object
 from ..translate import tr
 from . import messages, record, scene
-from .widgets import Words, beside_or_below, choice_title, number
+from .widgets import Words, beside_or_below, choice_title, decimal, number
 
 AXES = ("None", "X", "Y", "Z")
 
@@ -124,13 +124,13 @@ class QualityPanel:
         rows = [
             (tr("Hexahedra"), number(mesh.HexCount)),
             (tr("Nodes"), number(mesh.FemMesh.NodeCount)),
-            (tr("Scaled Jacobian, worst"), "%.3f" % mesh.MinScaledJacobian),
-            (tr("Scaled Jacobian, mean"), "%.3f" % mesh.MeanScaledJacobian),
-            (tr("Elements below 0.2"), "%.2g %%" % (100 * quality.get("below_0.2", 0))),
-            (tr("Volume off by"), "%.2g %%" % (100 * quality.get("volume_error", 0))),
-            (tr("Farthest from the CAD"), "%.2g mm" % off if off >= 1e-9 else "&lt; 1e-9 mm"),
+            (tr("Scaled Jacobian, worst"), decimal(mesh.MinScaledJacobian, 3)),
+            (tr("Scaled Jacobian, mean"), decimal(mesh.MeanScaledJacobian, 3)),
+            (tr("Elements below 0.2"), decimal(100 * quality.get("below_0.2", 0), 2, "g") + " %"),
+            (tr("Volume off by"), decimal(100 * quality.get("volume_error", 0), 2, "g") + " %"),
+            (tr("Farthest from the CAD"), decimal(off, 2, "g") + " mm" if off >= 1e-9 else "&lt; 1e-9 mm"),
             (tr("Method"), choice_title("method", mesh.MethodUsed)),
-            (tr("Time"), "%.1f s" % mesh.Seconds),
+            (tr("Time"), decimal(mesh.Seconds, 1) + " s"),
         ]
         return "<table>%s</table>" % "".join("<tr><td>%s&nbsp;&nbsp;</td><td><b>%s</b></td></tr>" % row for row in rows)
 

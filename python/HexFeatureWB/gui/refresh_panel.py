@@ -9,7 +9,7 @@ from ..source import names_of, shape_to_mesh
 from ..translate import tr
 from . import messages, record
 from .run import Run
-from .widgets import Words
+from .widgets import Words, decimal
 
 
 class RefreshPanel:
@@ -59,9 +59,9 @@ class RefreshPanel:
     def _looked(self, job):
         self.bar.setValue(int(1000 * job.fraction))
         if not job.was_cancelled:
-            self.state.setText(tr("%(mesh)s (%(number)d of %(count)d): %(step)s, %(seconds).1f s") % {
+            self.state.setText(tr("%(mesh)s (%(number)d of %(count)d): %(step)s, %(seconds)s s") % {
                 "mesh": self.mesh.Label, "number": self.count - len(self.waiting), "count": self.count,
-                "step": messages.step_title(job.step), "seconds": job.seconds})
+                "step": messages.step_title(job.step), "seconds": decimal(job.seconds, 1)})
 
     def _ended(self, job, error):
         if error is None:

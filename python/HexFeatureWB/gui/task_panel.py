@@ -12,7 +12,7 @@ from ..translate import tr
 from . import messages, record, settings
 from .preview import Preview, reading_job
 from .run import BUILDING, Run
-from .widgets import Fold, LengthEdit, OptionWidget, Words, beside_or_below, nice, number, title_of
+from .widgets import Fold, LengthEdit, OptionWidget, Words, beside_or_below, decimal, nice, number, title_of
 
 STEPS = 200  #: of the slider
 
@@ -297,7 +297,8 @@ class HexMeshPanel:
             self._hide_part()
         self.bar.setValue(int(1000 * job.fraction))
         if not job.was_cancelled:
-            self.state.setText(tr("%(step)s, %(seconds).1f s") % {"step": messages.step_title(job.step), "seconds": job.seconds})
+            self.state.setText(tr("%(step)s, %(seconds)s s") % {
+                "step": messages.step_title(job.step), "seconds": decimal(job.seconds, 1)})
         self._append_log(job)
 
     def _ended(self, job, error):

@@ -137,9 +137,21 @@ def nice(value):
     return float("%.3g" % value)
 
 
+def _language():
+    """FreeCAD's language, which may be another than the system's."""
+    return QtCore.QLocale(FreeCADGui.supportedLocales().get(FreeCADGui.getLocale(), "en"))
+
+
 def number(value):
-    """A count for people: 12,345 in the user's way."""
-    return QtCore.QLocale().toString(int(value))
+    """A count for people, as FreeCAD's language has it: 12,345. A space parts the digits where FreeCAD writes lengths, beside it, in the
+    system's way with that same sign as decimal point."""
+    sign = _language().groupSeparator()
+    return "{:,}".format(int(value)).replace(",", "\N{NO-BREAK SPACE}" if sign == QtCore.QLocale().decimalPoint() else sign)
+
+
+def decimal(value, digits, form="f"):
+    """A number with so many digits behind the point, or what FreeCAD's language has for one; form "g": with so many digits."""
+    return _language().toString(float(value), form, digits)
 
 
 class Words(QtGui.QLabel):
