@@ -861,6 +861,10 @@ skalierte Jacobi-Zahl: schlechteste %(worst)s, mittlere %(mean)s</translation>
       <translation>ein Eckpunkt ist nicht endlich</translation>
     </message>
     <message>
+      <source>about %(count)s elements, more where it is thinner than %(thickness)s</source>
+      <translation>etwa %(count)s Elemente, mehr wo es dünner ist als %(thickness)s</translation>
+    </message>
+    <message>
       <source>about %s elements</source>
       <translation>etwa %s Elemente</translation>
     </message>

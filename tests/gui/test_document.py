@@ -25,8 +25,10 @@ class TestDocument(GuiTest):
         FreeCADGui.runCommand("Std_Undo", 0)
         live()
         self.assertIsNone(document.getObject(name))
+        self.assertTrue(part.ViewObject.Visibility)  # or nothing would be seen
         FreeCADGui.runCommand("Std_Redo", 0)
         live()
+        self.assertFalse(part.ViewObject.Visibility)
         mesh = document.getObject(name)
         self.assertEqual(mesh.FemMesh.HexaCount, count)
         copy = document.copyObject(mesh)
@@ -44,6 +46,18 @@ class TestDocument(GuiTest):
             self.assertEqual(mesh.ViewObject.DisplayMode, "Quality")
             driver.look()
             self.assertGreater(driver.colours_of_view()["blue"], 30)
+
+    def test_another_mesh_of_the_part_stands_in_the_place_of_the_first(self):
+        document, part = driver.show_part(make_parts.box())
+        first = self.mesh(part, 5)
+        second = self.mesh(part, 4)
+        self.assertIsNot(first, second)
+        self.assertEqual((part.ViewObject.Visibility, first.ViewObject.Visibility, second.ViewObject.Visibility), (False, False, True))
+        first.ViewObject.Visibility = True
+        document.removeObject(second.Name)
+        self.assertFalse(part.ViewObject.Visibility)  # the first is seen
+        document.removeObject(first.Name)
+        self.assertTrue(part.ViewObject.Visibility)
 
     def test_a_document_saved_without_a_window_shows_its_mesh(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -15,7 +15,7 @@ from PySide import QtCore
 
 import HexFeatureWB
 from HexFeatureWB import core, fem_mesh, group_check, mesh_object, meshing
-from HexFeatureWB.gui import messages, run, selection, task_panel
+from HexFeatureWB.gui import messages, run, selection, task_panel, widgets
 from HexFeatureWB.job import Job
 
 
@@ -211,6 +211,15 @@ class TestTaskPanel(GuiTest):
         self.assertGreater(slices[-2], len(part.Shape.Faces) - 2)  # events between them
         self.assertIn("groups", steps)
         self.assertEqual(json.loads(panel.mesh.Report)["groups_not_found_by_geometry"], {})
+
+    def test_the_estimate_says_where_layers_add_to_it(self):
+        document, part = driver.show_part(make_parts.box())
+        panel = self.open_panel(part)
+        panel.size.set_value(5.0)
+        self.assertEqual(panel.estimate.text(), "about 80 elements")
+        panel.options["minimum_layers"].set_value(3)
+        self.assertEqual(panel.estimate.text(), "about 80 elements, more where it is thinner than %s" % widgets.length(15))
+        self.assertIn("15", widgets.length(15))
 
     def test_faces_are_drawn_without_a_search_for_double_ones(self):
         document, part = driver.show_part(make_parts.box())

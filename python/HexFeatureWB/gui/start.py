@@ -22,10 +22,11 @@ def titles():
 def start():
     from PySide import QtCore
 
-    from . import fem_menu, preferences
+    from . import fem_menu, parts_shown, preferences
 
     FreeCADGui.addLanguagePath(TRANSLATIONS)
     FreeCADGui.updateLocale()
     FreeCADGui.addIconPath(ICONS)
     FreeCADGui.addPreferencePage(preferences.PreferencesPage, "FEM")
+    parts_shown.watch()
     QtCore.QTimer.singleShot(0, fem_menu.install)

@@ -10,9 +10,10 @@ from .. import mesh_object, meshing
 from ..source import brep_of, names_of, shape_to_mesh, solids_of
 from ..translate import tr
 from . import messages, record, settings
+from .parts_shown import meshes_of
 from .preview import Preview, reading_job
 from .run import BUILDING, Run
-from .widgets import Fold, LengthEdit, OptionWidget, Words, beside_or_below, decimal, nice, number, title_of
+from .widgets import Fold, LengthEdit, OptionWidget, Words, beside_or_below, decimal, length, nice, number, title_of
 
 STEPS = 200  #: of the slider
 
@@ -102,6 +103,7 @@ class HexMeshPanel:
         self.slider.setToolTip(tr("Fine elements on the left, coarse ones on the right"))
         self.estimate = QtGui.QLabel()
         self.estimate.setObjectName("estimate")
+        self.estimate.setWordWrap(True)
         self._volume = sum(s.Volume for s in solids_of(self.source))
         start = self._first_size()
         self.size.set_value(start)
@@ -199,8 +201,11 @@ class HexMeshPanel:
 
     def _changed(self):
         count = self.estimated_count()
+        layers = self.options["minimum_layers"].value()
         self.estimate.setText(tr("give a size above 0") if count is None else tr("larger than the part") if count < 1 else
-                              tr("about %s elements") % number(count))
+                              tr("about %s elements") % number(count) if layers < 2 else
+                              tr("about %(count)s elements, more where it is thinner than %(thickness)s") % {
+                                  "count": number(count), "thickness": length(layers * self.size.value())})
         self.mesh_button.setEnabled(self.job is None and count is not None)
         if not hasattr(self, "preview") or self.job is not None:
             return
@@ -332,6 +337,8 @@ class HexMeshPanel:
             self._failed(error)
             return
         record.show(self.mesh, True)
+        for older in meshes_of(self.source, self.mesh):  # in the same place: what is seen would be a mixture
+            record.show(older, False)
         if settings.switch("HidePart"):
             record.show(self.source, False)
         if settings.switch("QualityAfterMeshing"):

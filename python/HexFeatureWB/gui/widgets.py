@@ -1,5 +1,6 @@
 # HexFeatureWB - LGPL-2.1-or-later
 """Input widgets made from the core's list of options, so that a new option appears without a line here."""
+import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
@@ -146,12 +147,17 @@ def number(value):
     """A count for people, as FreeCAD's language has it: 12,345. A space parts the digits where FreeCAD writes lengths, beside it, in the
     system's way with that same sign as decimal point."""
     sign = _language().groupSeparator()
-    return "{:,}".format(int(value)).replace(",", "\N{NO-BREAK SPACE}" if sign == QtCore.QLocale().decimalPoint() else sign)
+    return "{:,}".format(round(value)).replace(",", "\N{NO-BREAK SPACE}" if sign == QtCore.QLocale().decimalPoint() else sign)
 
 
 def decimal(value, digits, form="f"):
     """A number with so many digits behind the point, or what FreeCAD's language has for one; form "g": with so many digits."""
     return _language().toString(float(value), form, digits)
+
+
+def length(millimetres):
+    """A length in the units that the user has chosen in FreeCAD."""
+    return FreeCAD.Units.Quantity(millimetres, FreeCAD.Units.Length).UserString
 
 
 class Words(QtGui.QLabel):
