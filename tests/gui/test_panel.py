@@ -295,6 +295,19 @@ class TestTaskPanel(GuiTest):
         panel._failed(error)
         selected = FreeCADGui.Selection.getSelectionEx()[0].SubElementNames
         self.assertEqual(sorted(selected), ["Face3", "Face7"])
+        marks = panel.preview._root.getChild(1)  # their borders are drawn over everything
+        search = coin.SoSearchAction()
+        search.setType(coin.SoAnnotation.getClassTypeId())
+        search.apply(marks)
+        self.assertIsNotNone(search.getPath())
+        search.setType(coin.SoCoordinate3.getClassTypeId())
+        search.apply(marks)
+        drawn = [tuple(point) for point in search.getPath().getTail().point.getValues()]
+        borders = [edge for number in (3, 7) for edge in part.Shape.Faces[number - 1].Edges]
+        self.assertEqual(len(drawn), sum(len(edge.discretize(24)) for edge in borders))
+        panel.size.set_value(9e3)
+        wait_until(lambda: not panel.preview.busy)
+        self.assertEqual(panel.preview._root.getNumChildren(), 1)
         self.assertTrue(part.ViewObject.Visibility)
         wait_until(lambda: not panel.state._later.isActive())  # scrolled to
         picture("panel-failed")

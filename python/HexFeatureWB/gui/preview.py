@@ -13,7 +13,8 @@ POLL, PATIENCE = 10, 250  #: ms: looking for the result; waiting for the user to
 
 PAINTING = 20  #: ms after which the 3D view has begun to paint what is new
 
-MESH = 0  #: stands for the mesh where others have the number of a solid
+MESH = 0  #: stands for the mesh, or for marks, where others have the number of a solid
+MARK_COLOUR = (0.9, 0.1, 0.1)
 MESH_COLOUR = (1.0, 0.7, 0.0)  #: as FreeCAD's own meshes
 
 
@@ -84,6 +85,16 @@ class Preview(QtCore.QObject):
             group = self._group(MESH)
             group.addChild(scene.faces(points, quads, np.zeros(len(quads), dtype=int), [MESH_COLOUR]))
             group.addChild(scene.lines(points, scene.sides(quads), 1.0))
+
+    def mark(self, faces):
+        """Draw the borders of CAD faces instead, through the part too: they may be on its back."""
+        self.clear()
+        borders = [edge.discretize(24) for face in faces for edge in face.Edges if not edge.Degenerated]
+        if self._graph and borders:
+            points = np.array([tuple(point) for border in borders for point in border])
+            ends = np.cumsum([len(border) for border in borders])
+            polylines = [list(range(end - len(border), end)) for border, end in zip(borders, ends)]
+            self._group(MESH).addChild(scene.in_front(scene.lines(points, polylines, 3.0, None, [MARK_COLOUR])))
 
     def remove(self):
         """Take away what is drawn and give up what is computed."""

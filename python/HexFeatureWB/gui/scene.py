@@ -148,6 +148,13 @@ def unpickable(*nodes):
     return root
 
 
+def in_front(node):
+    """Drawn over everything, also where something stands before it."""
+    root = coin.SoAnnotation()
+    root.addChild(node)
+    return root
+
+
 def on_screen(*nodes):
     """Drawn in front of everything in window coordinates, -1 to 1 in both directions; not counted by 'fit all'."""
     kind = coin.SoType.fromName("SoSkipBoundingGroup")

@@ -360,6 +360,7 @@ class HexMeshPanel:
             names = messages.faces_to_blame(error, names_of(self.source, self._shape()))
             for name in names:
                 FreeCADGui.Selection.addSelection(self.document.Name, self.source.Name, name)
+            self.preview.mark([self.source.Shape.getElement(name) for name in names])
             if names:  # seen only where the part is
                 self.source.ViewObject.Visibility = True
         self.state.setText(messages.failure_text(error, names))
