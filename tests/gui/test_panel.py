@@ -305,12 +305,12 @@ class TestTaskPanel(GuiTest):
         drawn = [tuple(point) for point in search.getPath().getTail().point.getValues()]
         borders = [edge for number in (3, 7) for edge in part.Shape.Faces[number - 1].Edges]
         self.assertEqual(len(drawn), sum(len(edge.discretize(24)) for edge in borders))
-        panel.size.set_value(9e3)
-        wait_until(lambda: not panel.preview.busy)
-        self.assertEqual(panel.preview._root.getNumChildren(), 1)
         self.assertTrue(part.ViewObject.Visibility)
         wait_until(lambda: not panel.state._later.isActive())  # scrolled to
         picture("panel-failed")
+        panel.size.set_value(9e3)
+        wait_until(lambda: not panel.preview.busy)
+        self.assertEqual(panel.preview._root.getNumChildren(), 1)
 
     def test_a_mesh_that_freecad_cannot_take_is_a_failure(self):
         class NoRoom(fem_mesh.FemMeshBuilder):
