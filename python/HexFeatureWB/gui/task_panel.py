@@ -103,7 +103,6 @@ class HexMeshPanel:
         self.slider.setToolTip(tr("Fine elements on the left, coarse ones on the right"))
         self.estimate = QtGui.QLabel()
         self.estimate.setObjectName("estimate")
-        self.estimate.setWordWrap(True)
         self._volume = sum(s.Volume for s in solids_of(self.source))
         start = self._first_size()
         self.size.set_value(start)
@@ -202,6 +201,7 @@ class HexMeshPanel:
     def _changed(self):
         count = self.estimated_count()
         layers = self.options["minimum_layers"].value()
+        self.estimate.setWordWrap(layers > 1)  # the long text
         self.estimate.setText(tr("give a size above 0") if count is None else tr("larger than the part") if count < 1 else
                               tr("about %s elements") % number(count) if layers < 2 else
                               tr("about %(count)s elements, more where it is thinner than %(thickness)s") % {
