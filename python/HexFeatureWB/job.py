@@ -19,7 +19,8 @@ class Job(threading.Thread):
     def __init__(self, brep, options, wants_looks=False, after=None):
         super().__init__(name="HexFeatureWB", daemon=True)
         self.brep, self.options = brep, dict(options)
-        self._after = after  #: a Job that is waited for: it leaves the part that both need with the core
+        #: a Job that is waited for, if it reads the same part: it leaves that with the core
+        self._after = after if after is not None and after.brep == brep else None
         self.result = self.error = None
         self._wants_looks = wants_looks
         #: if wanted: number of a solid -> (Result with the stages labels and shape, whether they are final), the newest; grows

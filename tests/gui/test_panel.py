@@ -153,6 +153,40 @@ class TestTaskPanel(GuiTest):
         self.assertEqual(job.error.kind, "cancelled")
         self.assertEqual(panel.mesh.HexCount, 80)
 
+    def test_the_part_is_read_once_and_not_when_the_panel_is_closed(self):
+        go_on, listen = threading.Event(), Job.run
+
+        def slow(job):
+            if job.options.get("stop_after") == "read":
+                go_on.wait(60)
+            listen(job)
+
+        document, part = driver.show_part(make_parts.box())
+        Job.run = slow
+        try:
+            panel = self.open_panel(part)
+            for size in (4, 5):
+                panel.size.set_value(size)
+                panel._changed()
+                live(1)
+                self.assertEqual((panel.preview._job.is_alive(), panel.preview._job.step), (True, ""))
+            child(panel.form, "mesh_button").click()
+            live(1)
+            self.assertEqual((panel.job.is_alive(), panel.job.step), (True, ""))
+            go_on.set()
+            wait_until(lambda: panel.job is None)
+            self.assertIsNotNone(panel.mesh, panel.state.text())
+            panel.reject()
+            go_on.clear()
+            panel = self.open_panel(part)
+            reading = panel._reading
+            self.assertFalse(reading.was_cancelled)
+            panel.reject()
+            self.assertTrue(reading.was_cancelled)
+        finally:
+            Job.run = listen
+            go_on.set()
+
     def test_a_time_limit_is_a_failure_with_a_hint(self):
         document, part = driver.show_part(make_parts.crank_shaft())
         panel = self.open_panel(part)

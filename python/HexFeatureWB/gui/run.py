@@ -32,12 +32,12 @@ class Run(QtCore.QObject):
         self._timer.timeout.connect(self._look)
         self.destroyed.connect(lambda *_: self.job and self.job.cancel())
 
-    def start(self, source, solid, options):
-        """Mesh a document object's solid. Raises MeshingError when it has none."""
+    def start(self, source, solid, options, reading=None):
+        """Mesh a document object's solid. Raises MeshingError when it has none. reading: a worker that reads the part at the moment."""
         self._shape = shape_to_mesh(source, solid)
         self._names = names_of(source, self._shape)
         self._builder = self._check = None
-        self.job = Job(brep_of(self._shape), options).start()
+        self.job = Job(brep_of(self._shape), options, after=reading).start()
         self._timer.start(POLL)
 
     def cancel(self):

@@ -41,7 +41,7 @@ class HexMeshPanel:
         return self.run.job if self.run else None
 
     def _begin_reading(self, solid):
-        """A worker that reads the part while the panel is made, which takes as long: the core keeps it for the first preview. None where
+        """A worker that reads the part while the panel is made, which takes as long: the core keeps it for whatever comes first. None where
         there is nothing to read, which the preview will say."""
         try:
             brep = brep_of(shape_to_mesh(self.source, min(solid, len(solids_of(self.source)))))
@@ -223,9 +223,8 @@ class HexMeshPanel:
             self.preview_text.setText(tr("this method has neither labels nor feature lines"))
             return
         self.preview_text.setText(tr("looking at the part ..."))
-        reading, self._reading = self._reading, None
         try:
-            self.preview.show(brep_of(self._shape()), self.chosen(), reading)
+            self.preview.show(brep_of(self._shape()), self.chosen(), self._reading)
         except meshing.MeshingError as error:
             self._preview_says(messages.in_words(error.reason))
 
@@ -275,7 +274,7 @@ class HexMeshPanel:
         self.log.clear()
         self._shown_lines, self._mesh_drawn = 0, False
         try:
-            self.run.start(self.source, self.solid.currentIndex(), self.chosen())
+            self.run.start(self.source, self.solid.currentIndex(), self.chosen(), self._reading)
         except meshing.MeshingError as error:
             self.state.setText(messages.failure_text(error, None))
             return
@@ -376,6 +375,9 @@ class HexMeshPanel:
         """Close: a run is given up; what is in the document stays."""
         self.run.give_up()
         self.preview.remove()
+        if self._reading is not None:
+            self._reading.cancel()
+            self._reading = None
         self._show_part()
         if self.mesh is not None and settings.switch("HidePart") and self.mesh.ViewObject.Visibility:
             record.show(self.source, False)
