@@ -9,6 +9,7 @@ import driver
 import FreeCAD
 import FreeCADGui
 import make_parts
+import Part
 from driver import child, live, picture, wait_until
 from gui_test import GuiTest
 
@@ -58,6 +59,30 @@ class TestDocument(GuiTest):
         self.assertFalse(part.ViewObject.Visibility)  # the first is seen
         document.removeObject(first.Name)
         self.assertTrue(part.ViewObject.Visibility)
+
+    def test_meshes_of_different_solids_stand_beside_each_other(self):
+        document, part = driver.show_part(Part.makeCompound([Part.makeBox(20, 10, 10), Part.makeBox(20, 10, 10, FreeCAD.Vector(0, 50, 0))]))
+
+        def mesh(solid):
+            panel = task_panel.open_panel(part, solid=solid)
+            panel.size.set_value(5)
+            child(panel.form, "mesh_button").click()
+            wait_until(lambda: panel.job is None)
+            panel.reject()
+            live()
+            return panel.mesh
+
+        def seen():
+            return [each.ViewObject.Visibility for each in (part, *meshes)]
+
+        meshes = [mesh(1), mesh(2)]
+        self.assertEqual(seen(), [False, True, True])
+        meshes.append(mesh(2))
+        self.assertEqual(seen(), [False, True, False, True])
+        document.removeObject(meshes.pop().Name)
+        self.assertEqual(seen(), [True, True, False])  # or nothing would be seen of the second
+        meshes.append(mesh(0))
+        self.assertEqual(seen(), [False, False, False, True])
 
     def test_a_document_saved_without_a_window_shows_its_mesh(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -7,9 +7,9 @@ from . import settings
 
 
 def meshes_of(source, but=None):
-    """Our visible meshes of a part, without one."""
+    """Our visible meshes of a part; with `but` those that stand in its place, without itself: meshes of other solids stand elsewhere."""
     return [o for o in source.Document.Objects if o is not but and mesh_object.is_hex_mesh(o) and o.ViewObject and o.ViewObject.Visibility
-            and mesh_object.source_of(o) is source]
+            and mesh_object.source_of(o) is source and (but is None or o.Solid == but.Solid or 0 in (o.Solid, but.Solid))]
 
 
 class Observer:
