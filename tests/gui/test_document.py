@@ -60,6 +60,35 @@ class TestDocument(GuiTest):
         document.removeObject(first.Name)
         self.assertTrue(part.ViewObject.Visibility)
 
+    def test_undo_and_redo_leave_the_part_as_the_user_has_it(self):
+        document, part = driver.show_part(make_parts.box())
+        name = self.mesh(part, 5).Name
+
+        def seen():
+            mesh = document.getObject(name)
+            return mesh and mesh.ViewObject.Visibility, part.ViewObject.Visibility
+
+        for shown in (False, True):  # by the user, beside the mesh
+            part.ViewObject.Visibility = shown
+            document.openTransaction("Delete")
+            document.removeObject(name)
+            document.commitTransaction()
+            self.assertEqual(seen(), (None, True))
+            document.undo()
+            self.assertEqual(seen(), (True, shown))
+            document.redo()
+            self.assertEqual(seen(), (None, True))
+            document.undo()
+            self.assertEqual(seen(), (True, shown))
+        document.openTransaction("Other step")
+        part.Label = "Other"
+        document.commitTransaction()
+        document.undo()
+        other = FreeCAD.newDocument("Other")
+        other.addObject("Part::Feature", name)  # has the mesh's name, and is another's
+        document.redo()
+        self.assertEqual((part.Label, *seen()), ("Other", True, True))
+
     def test_meshes_of_different_solids_stand_beside_each_other(self):
         document, part = driver.show_part(Part.makeCompound([Part.makeBox(20, 10, 10), Part.makeBox(20, 10, 10, FreeCAD.Vector(0, 50, 0))]))
 

@@ -13,10 +13,10 @@ def meshes_of(source, but=None):
 
 
 class Observer:
-    """FreeCAD calls these. Transactions do not hold what is visible."""
+    """FreeCAD calls these. What is shown or hidden after a step, as a part once its mesh is made, is not undone or redone with it."""
 
     def __init__(self):
-        self._came = []  # names of objects since the last redo
+        self._came = set()  # (document, object): names of what was made since the document's last step, undo or redo
 
     def slotDeletedObject(self, obj):
         if not mesh_object.is_hex_mesh(obj) or not obj.HexCount or not settings.switch("HidePart"):
@@ -26,17 +26,32 @@ class Observer:
             source.ViewObject.Visibility = True
 
     def slotCreatedObject(self, obj):
-        self._came.append(obj.Name)
+        self._came.add((obj.Document.Name, obj.Name))
 
     def slotCommitTransaction(self, document):
-        self._came.clear()
+        self._take(document)
+
+    def slotFinishRestoreDocument(self, document):
+        self._take(document)
+
+    def slotDeletedDocument(self, document):
+        self._take(document)
+
+    def slotUndoDocument(self, document):
+        self._take(document)  # a mesh that was deleted comes back with its part as it was: that was changed in the same step
 
     def slotRedoDocument(self, document):
-        names, self._came = self._came, []
-        for mesh in filter(mesh_object.is_hex_mesh, filter(None, map(document.getObject, names))):
+        """A mesh that is made again hides its part again."""
+        for mesh in filter(mesh_object.is_hex_mesh, map(document.getObject, self._take(document))):
             source = mesh_object.source_of(mesh)
             if settings.switch("HidePart") and source is not None and source.ViewObject and mesh.ViewObject.Visibility:
                 source.ViewObject.Visibility = False
+
+    def _take(self, document):
+        """Names of a document's objects that came, which are forgotten."""
+        names = {name for of, name in self._came if of == document.Name}
+        self._came -= {(document.Name, name) for name in names}
+        return names
 
 
 def watch():
