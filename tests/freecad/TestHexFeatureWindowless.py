@@ -218,24 +218,26 @@ class TestJob(unittest.TestCase):
     def test_a_first_look_is_given_time_to_get_on_the_screen(self):
         from HexFeatureWB import job as of_job
 
+        def wait(job, condition):
+            while job.is_alive() and not condition():
+                time.sleep(0.01)
+            self.assertTrue(condition(), job.error)
+
         real, of_job.SIGHT = of_job.SIGHT, 60
         try:
             shape = Part.makeCompound([make_parts.box(), make_parts.pipe_tee()])
             job = of_job.Job(shape.exportBrepToString(), {"size": 5.0, "stop_after": "shape"}, wants_looks=True).start()
             for solid in (1, 2):
-                while solid not in job.looks:
-                    time.sleep(0.01)
+                wait(job, lambda: solid in job.looks)
                 job.join(0.3)
                 self.assertEqual((len(job.looks), job.looks[solid][1]), (solid, False))
                 job.seen.set()
                 if solid == 1:
-                    while not job.looks[1][1]:
-                        time.sleep(0.01)
+                    wait(job, lambda: job.looks[1][1])
             job.join(60)
             self.assertTrue(job.looks[2][1])
             job = of_job.Job(shape.exportBrepToString(), {"size": 5.0, "stop_after": "shape"}, wants_looks=True).start()
-            while 1 not in job.looks:
-                time.sleep(0.01)
+            wait(job, lambda: 1 in job.looks)
             job.cancel()
             job.join(30)
             self.assertEqual(job.error.kind, "cancelled")
