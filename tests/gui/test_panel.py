@@ -105,6 +105,35 @@ class TestTaskPanel(GuiTest):
         self.assertGreater(panel.preview.stages[0]["points"][:, 1].min(), ends[0][1])
         self.assertEqual(panel.preview._root.getNumChildren(), 2)  # how it is picked, one solid
 
+    def test_an_error_in_one_solid_leaves_the_final_labels_of_the_others(self):
+        import Part
+
+        listen, why = Job.run, "no polycube has a corner of +X -Y +Z"
+
+        def failing(job):
+            listen(job)
+            if job.options.get("stop_after") == "shape":  # as if the repair of the last solid's labels had failed
+                job.looks[2] = job.looks[2][0], False
+                job.result, job.error = None, RuntimeError(why)
+
+        far = make_parts.box()
+        far.translate(FreeCAD.Vector(0, 100, 0))
+        document, part = driver.show_part(Part.makeCompound([make_parts.box(), far]))
+        Job.run = failing
+        try:
+            panel = self.open_panel(part)
+            wait_until(lambda: not panel.preview.busy)
+        finally:
+            Job.run = listen
+        self.assertEqual(list(panel.preview.solids), [1])
+        self.assertEqual(panel.preview._root.getNumChildren(), 2)  # how it is picked, one solid
+        self.assertIn(why, panel.preview_text.text())
+        panel.size.set_value(5)
+        panel._changed()
+        wait_until(lambda: not panel.preview.busy)
+        self.assertEqual(sorted(panel.preview.solids), [1, 2])
+        self.assertIn("regions", panel.preview_text.text())
+
     def test_cancel_at_any_step(self):
         document, part = driver.show_part(make_parts.crank_shaft())
         panel = self.open_panel(part)

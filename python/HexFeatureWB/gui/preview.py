@@ -63,6 +63,7 @@ class Preview(QtCore.QObject):
         self.solids = {}  #: number of a solid -> Shown
         self._groups = {}  # number of a solid, or MESH -> its node
         self.seconds, self.final = None, False
+        self.failed = False  #: whether the last computation ended with an error
         self._wait, self._poll = QtCore.QTimer(self), QtCore.QTimer(self)
         self._wait.setSingleShot(True)
         self._wait.timeout.connect(self._start)
@@ -137,6 +138,7 @@ class Preview(QtCore.QObject):
 
     def _start(self):
         self._job = self._next.start()
+        self.failed = False
         self._poll.start(POLL)
 
     def _look(self):
@@ -148,19 +150,21 @@ class Preview(QtCore.QObject):
         if not alive:
             self._poll.stop()
             self._job = None
-        if not alive and job.error is not None:
-            self._forget()
-            self._said(messages.in_words(getattr(job.error, "reason", str(job.error))))
-        else:
-            for solid, look in looks.items():
-                self.solids[solid] = Shown(look)
-                self._draw(solid)
-            if alive and not looks:
-                return
-            if not alive:  # what is drawn of an earlier run stays until there is something in its place
-                for solid in set(self.solids) - set(job.looks):
+        for solid, look in looks.items():
+            self.solids[solid] = Shown(look)
+            self._draw(solid)
+        if alive and not looks:
+            return
+        if not alive:  # what is drawn of an earlier run stays until there is something in its place
+            self.failed = job.error is not None
+            for solid in list(self.solids):
+                if solid not in job.looks or self.failed and not self.solids[solid].final:
                     self._take_away(solid)
-            self.seconds, self.final = job.seconds, not alive
+            if not self.solids:
+                self._forget()
+        self.seconds, self.final = job.seconds, not alive
+        if self.failed:
+            self._said(messages.in_words(getattr(job.error, "reason", str(job.error))))
         self._ready(job)
         if looks and alive:
             QtCore.QTimer.singleShot(PAINTING, job.seen.set)

@@ -246,7 +246,9 @@ class HexMeshPanel:
             self._show_part()
             return
         text = tr("%d regions, %d feature lines") if self.preview.final else tr("%d regions, %d feature lines so far, being tried ...")
-        self.preview_text.setText(text % (sum(len(stage["chart_label"]) for stage in stages), sum(len(stage["arcs"]) for stage in stages)))
+        if not self.preview.failed:  # or why it failed is still to be read
+            self.preview_text.setText(
+                text % (sum(len(stage["chart_label"]) for stage in stages), sum(len(stage["arcs"]) for stage in stages)))
         if self.show_labels.isChecked():
             self._hide_part()
         else:
