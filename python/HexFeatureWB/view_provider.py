@@ -12,13 +12,14 @@ QUALITY = "Quality"  #: name of the display mode
 class HexMeshView:
     def __init__(self, view):
         view.Proxy = self
-        self.add_properties(view)
-        # Below so many faces FreeCAD compares each with each, to leave out double ones: seconds for 20,000. Ours are there once.
-        if hasattr(view, "MaxFacesShowInner"):
-            view.MaxFacesShowInner = 0
+        self.prepare(view)
 
     @staticmethod
-    def add_properties(view):
+    def prepare(view):
+        """For a new view, or one of a document that an older version has saved."""
+        # Below so many faces FreeCAD compares each with each, to leave out double ones: seconds for 20,000. Ours are there once.
+        if hasattr(view, "MaxFacesShowInner") and view.MaxFacesShowInner != 0:
+            view.MaxFacesShowInner = 0
         for kind, name, text, value in (
             ("App::PropertyFloatConstraint", "ShowBelow", "in Quality: show only elements of a scaled Jacobian below this; 1: all",
              (1.0, 0.0, 1.0, 0.05)),
@@ -116,7 +117,7 @@ def revive(obj):
     if headless:
         HexMeshView(view)
     else:
-        HexMeshView.add_properties(view)
+        HexMeshView.prepare(view)
 
     def draw():  # when the whole document, views too, has been read; it may have been closed meanwhile
         document = FreeCAD.listDocuments().get(document_name)
