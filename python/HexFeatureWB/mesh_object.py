@@ -152,6 +152,18 @@ def _measured(shape):
     return part
 
 
+class _Forget:
+    """FreeCAD calls it: the last shape may be large, and would outlive its document."""
+
+    def slotDeletedDocument(self, document):
+        global _last_measured
+        _last_measured = None, None
+
+
+_forget = _Forget()
+FreeCAD.addDocumentObserver(_forget)
+
+
 def update_needs_refresh(obj):
     """Set NeedsRefresh by what the mesh was made of."""
     if not hasattr(obj, "MadeOf") or not obj.MadeOf:

@@ -12,7 +12,7 @@ import numpy as np
 import Part
 
 import HexFeatureWB
-from HexFeatureWB import analysis
+from HexFeatureWB import analysis, mesh_object
 
 import make_parts
 from hexfeature_documents import DocumentTest, new_part
@@ -67,6 +67,13 @@ class TestDocumentObject(DocumentTest):
         volume = Part.makeSolid(Part.makeShell(model.Shape.Faces)).Volume
         self.assertAlmostEqual(abs(volume) / 125, round(abs(volume) / 125), places=6)  # whole cubes
         self.assertGreater(model.Shape.BoundBox.XMin, part.Shape.BoundBox.XMax)
+
+    def test_a_closed_document_leaves_no_shape_behind(self):
+        document, part = new_part(make_parts.box())
+        HexFeatureWB.mesh(part, size=5)
+        self.assertTrue(mesh_object._last_measured[0].isSame(part.Shape))
+        FreeCAD.closeDocument(document.Name)
+        self.assertEqual(mesh_object._last_measured, (None, None))
 
 
 OLDER = os.environ.get("HEXFEATURE_OLDER_DOCUMENT")
