@@ -88,8 +88,10 @@ void analyse_faces(CadModel& model, Context& context, int threads) {
   const BaseMesh& base = model.impl().base;
   std::vector<std::vector<int>> triangles(model.faces.size());
   for (int t = 0; t < base.triangle_count(); ++t) triangles[base.triangle_face[t] - 1].push_back(t);
-  // Areas of splines take their time. What is thrown is carried over by hand: OpenCASCADE's loop would make something else of it.
+  // Areas of splines take their time. What is thrown is carried over by hand: OpenCASCADE's loop would make something else of it. Of
+  // several the one of the lowest face, whatever thread was first.
   std::exception_ptr thrown;
+  int thrown_at = 0;
   std::mutex mutex;
   OSD_Parallel::For(
       0, static_cast<int>(model.faces.size()),
@@ -99,7 +101,10 @@ void analyse_faces(CadModel& model, Context& context, int threads) {
           analyse_face(model, i, triangles[i]);
         } catch (...) {
           const std::lock_guard<std::mutex> lock(mutex);
-          if (!thrown) thrown = std::current_exception();
+          if (!thrown || i < thrown_at) {
+            thrown = std::current_exception();
+            thrown_at = i;
+          }
         }
       },
       threads < 2);

@@ -282,6 +282,7 @@ BaseMesh make_base_mesh(CadTables& cad, Context& context, int threads) {
       BRepTools::Clean(cad.shape);
       Handle(CancelIndicator) indicator = new CancelIndicator(context);
       BRepMesh_IncrementalMesh(cad.shape, parameters, indicator->Start());
+      indicator->rethrow();
       context.check();
       return std::vector<int>();
     });

@@ -155,6 +155,7 @@ ReadShape transfer(Reader& reader, const std::string& path, const std::string& k
   Message_ProgressScope scope(indicator->Start(), "transfer", std::max(1, roots));
   for (int i = 1; i <= roots; ++i) {
     reader.TransferOneRoot(i, scope.Next());
+    indicator->rethrow();
     context.check();
   }
   ReadShape read;

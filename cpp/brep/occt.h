@@ -3,10 +3,12 @@
 #include <Message_ProgressIndicator.hxx>
 #include <Standard_Failure.hxx>
 #include <Standard_OutOfMemory.hxx>
+#include <exception>
 #include <gp_Ax3.hxx>
 #include <gp_Pnt.hxx>
 #include <gp_Pnt2d.hxx>
 #include <gp_Vec.hxx>
+#include <mutex>
 #include <new>
 #include <string>
 #include <utility>
@@ -38,18 +40,30 @@ auto guarded(const std::string& step, const std::string& what, Work&& work) -> d
   }
 }
 
-/// Lets OCCT's long-running algorithms see that the user cancelled.
+/// Lets OCCT's long-running algorithms see that the user cancelled. OCCT may ask from threads of its own, which must not throw: what the
+/// caller's question throws ends the algorithm, and `rethrow` brings it to light afterwards.
 class CancelIndicator : public Message_ProgressIndicator {
  public:
   explicit CancelIndicator(const Context& context) : context_(context) {}
   Standard_Boolean UserBreak() override {
-    if (context_.is_cancelled && context_.is_cancelled()) return Standard_True;
+    try {
+      if (context_.is_cancelled && context_.is_cancelled()) return Standard_True;
+    } catch (...) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (!thrown_) thrown_ = std::current_exception();
+      return Standard_True;
+    }
     return context_.deadline != Context::Clock::time_point::max() && Context::Clock::now() > context_.deadline;
   }
   void Show(const Message_ProgressScope&, const Standard_Boolean) override {}
+  void rethrow() const {
+    if (thrown_) std::rethrow_exception(thrown_);
+  }
 
  private:
   const Context& context_;
+  std::mutex mutex_;
+  std::exception_ptr thrown_;
 };
 
 }  // namespace hexfeature

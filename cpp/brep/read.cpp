@@ -145,6 +145,7 @@ TopoDS_Shape heal(const TopoDS_Shape& part, Context& context) {
   Handle(CancelIndicator) indicator = new CancelIndicator(context);
   ShapeFix_Shape fix(part);
   fix.Perform(indicator->Start());
+  indicator->rethrow();
   context.check();
   return fix.Shape();
 }
@@ -176,6 +177,7 @@ TopoDS_Shape mend(const TopoDS_Shape& part, Context& context) {
   BRepBuilderAPI_Sewing sewing(10 * tolerance);
   sewing.Add(faces.FixShape());
   sewing.Perform(indicator->Start());
+  indicator->rethrow();
   context.check();
   std::vector<std::string> ignored;
   const TopoDS_Shape mended = heal(make_solid(sewing.SewedShape(), ignored), context);

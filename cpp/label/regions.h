@@ -57,6 +57,7 @@ bool split_creases(Regions& regions, int site, double degrees, double least_area
 /// Cut a rim off `site`: the points nearer than `width` to `halfedges`, border halfedges of it in any order. A rim at an edge between
 /// opposite labels is the narrow wall (or, at a concave edge, the floor) that a polycube needs there: it faces across the edge, in the
 /// surface, along the nearest axis that is not `axis`. Where that direction changes along the border the rim falls apart.
+/// False when there is no room for a rim; a site narrower than `width` becomes rim altogether.
 /// `rim_label` gets, per site, the direction of a piece of the rim; kNoLabel for all other sites.
 bool split_rim(Regions& regions, const Geometry& geometry, int site, const std::vector<int>& halfedges, int axis, double width,
                double least_area, std::vector<Label>& rim_label);

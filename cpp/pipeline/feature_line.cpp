@@ -176,7 +176,7 @@ HexComplex fit_and_smooth(const HexComplex& lattice, const SurfaceMesh& mesh, co
   fit.smooth_edges = run.options.capture == "all";
   fit.free_turns = run.options.sheets;
   SheetRules rules;
-  rules.another_way = run.options.method == "auto";
+  rules.another_way = run.another_way();
   int vain = 0;
   // A mesh that is not faithful: once more, with paths of any turns for what it lost; kept when it is better.
   const auto insist = [&](SheetTrial& best) {

@@ -96,12 +96,12 @@ Candidate mesh_by_feature_line(const SolidTask& task) {
       run.context.log("feature-line, proposal " + std::to_string(result.attempts.size() + 1) + " gave up in step " + error.step + ": " +
                       error.reason);
       if (!first_failure) first_failure = error;
-      hopeless = error.step == "smooth" && run.options.method == "auto" && result.mesh.hex_count() > kUntangleOnce;
+      hopeless = error.step == "smooth" && run.another_way() && result.mesh.hex_count() > kUntangleOnce;
     }
     task.record(attempt, start);
     if (hopeless) break;
     if (best && (best->worth.good() || second_chance || best->mesh.hex_count() > kSecondLook)) break;
-    if (best && !best->worth.faithful && best->worth.lost > kLostTooMuch && run.options.method == "auto") break;
+    if (best && !best->worth.faithful && best->worth.lost > kLostTooMuch && run.another_way()) break;
   }
   if (!best) throw *first_failure;
   return std::move(*best);

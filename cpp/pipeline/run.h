@@ -27,6 +27,9 @@ class Run {
   Result& result;
   Look look;  ///< of whoever started the run; may be empty
 
+  /// Whether another method is to come: what this one finds hard need not be tried in every way.
+  bool another_way() const { return options.method == "auto"; }
+
   /// What is shown from now on is of this solid.
   void begin_solid(int solid);
   /// Labels and feature shape of the present solid for whoever looks, unless the solid has been shown before.

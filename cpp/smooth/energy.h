@@ -47,6 +47,7 @@ class HexEnergy {
   /// what makes an unscaled descent crawl. Elements for which the energy is not defined count as perfect ones.
   void stiffness(const double* x, const EnergyTerms& terms, std::vector<double>& blocks) const;
 
+  /// The energy of the spans alone; adds its gradient to `gradient` (may be null). `barrier`: as in the worst-element energy.
   double add_spans(const double* x, bool barrier, double* gradient) const;
 
  private:

@@ -1,5 +1,6 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -200,6 +201,7 @@ void raise_minimum(HexComplex& mesh, SmoothSetting& setting) {
   std::vector<char> settled(mesh.hexes.size(), 0);
   bool stuck = false;  // the worst element of all stays what it is
   for (int place = 0; place < kPlaces; ++place) {
+    setting.context.progress("smooth", 0.97 + 0.02 * place / kPlaces);
     int worst = -1;
     for (int h = 0; h < mesh.hex_count(); ++h)
       if (!settled[h] && quality[h] > 0 && quality[h] < (stuck ? kLimit : kGoal) && (worst < 0 || quality[h] < quality[worst])) worst = h;

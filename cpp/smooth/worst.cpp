@@ -96,7 +96,7 @@ void lift_places(HexComplex& mesh, SmoothSetting& setting) {
   measure(mesh, setting.workers, quality);
   std::vector<char> settled(mesh.hexes.size(), 0);
   for (int place = 0; place < kPlaces; ++place) {
-    setting.context.progress("smooth", 0.95 + 0.05 * place / kPlaces);
+    setting.context.progress("smooth", 0.95 + 0.02 * place / kPlaces);
     int worst = -1;
     for (int h = 0; h < mesh.hex_count(); ++h)
       if (!settled[h] && quality[h] > 0 && quality[h] < kLimit && (worst < 0 || quality[h] < quality[worst])) worst = h;
