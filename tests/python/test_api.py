@@ -184,3 +184,19 @@ def test_one_attempt_made_the_mesh(tmp_path):
     assert len(attempts) > 1
     assert sum(a["made_the_mesh"] for a in attempts) == 1
     assert all(a["made_the_mesh"] or a["reason"] for a in attempts)
+
+
+@pytest.mark.parametrize("asked", [1, 2, 3, 5, 9])
+def test_what_the_callers_question_throws_comes_back(parts, asked):
+    """Also from OpenCASCADE's own threads, which must not throw."""
+    count = 0
+
+    def cancelled():
+        nonlocal count
+        count += 1
+        if count >= asked:
+            raise LookupError(f"asked {asked} times")
+        return False
+
+    with pytest.raises(LookupError, match="asked"):
+        hexfeature.mesh(parts / "plate.step", size=4, threads=2, cancelled=cancelled)
