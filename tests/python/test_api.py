@@ -199,4 +199,4 @@ def test_what_the_callers_question_throws_comes_back(parts, asked):
         return False
 
     with pytest.raises(LookupError, match="asked"):
-        hexfeature.mesh(parts / "plate.step", size=4, threads=2, cancelled=cancelled)
+        hexfeature.mesh(parts / "plate.step", size=1.5, threads=2, cancelled=cancelled)
