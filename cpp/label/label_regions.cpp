@@ -73,7 +73,8 @@ LabelResult label_regions(const SurfaceMesh& mesh, const Geometry& geometry, con
   };
   SearchResult found;
   for (const Try& attempt : tries) {
-    if (attempt.rims && attempt.work == kShort && found.best.filled) continue;  // without rims it would be the first again
+    const bool last = &attempt == &tries.back();
+    if (attempt.rims && !last && found.best.filled) continue;  // without rims it would be the first again
     SearchOptions search_options;
     search_options.size = options.size;
     search_options.max_expansions = options.max_expansions;

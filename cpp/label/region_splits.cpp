@@ -230,28 +230,26 @@ std::vector<RimSegment> rim_segments(const SurfaceMesh& mesh, const std::vector<
   struct Run {
     std::size_t first, last;
     double length;
+    bool joined;  // it begins where the one before ends
   };
   std::vector<Run> runs;
   for (;;) {
     runs.clear();
     for (std::size_t i = 0; i < segments.size(); ++i) {
-      const bool goes_on = i > 0 && segments[i].label == segments[i - 1].label && segments[i].from == segments[i - 1].to;
-      if (!goes_on) runs.push_back({i, i, 0});
+      const bool joined = i > 0 && segments[i].from == segments[i - 1].to;
+      if (!joined || segments[i].label != segments[i - 1].label) runs.push_back({i, i, 0, joined});
       runs.back().last = i + 1;
       runs.back().length += (segments[i].to - segments[i].from).norm();
     }
+    const auto joined_after = [&](std::size_t r) { return r + 1 < runs.size() && runs[r + 1].joined; };
     std::size_t shortest = runs.size();
     for (std::size_t r = 0; r < runs.size(); ++r)
-      if (runs[r].length < least && (shortest == runs.size() || runs[r].length < runs[shortest].length)) {
-        const bool alone = (r == 0 || segments[runs[r].first].from != segments[runs[r].first - 1].to) &&
-                           (r + 1 == runs.size() || segments[runs[r].last].from != segments[runs[r].last - 1].to);
-        if (!alone) shortest = r;
-      }
+      if (runs[r].length < least && (runs[r].joined || joined_after(r)) &&
+          (shortest == runs.size() || runs[r].length < runs[shortest].length))
+        shortest = r;
     if (shortest == runs.size()) return segments;
     const Run& run = runs[shortest];
-    const bool has_before = shortest > 0 && segments[run.first].from == segments[run.first - 1].to;
-    const bool has_after = shortest + 1 < runs.size() && segments[run.last].from == segments[run.last - 1].to;
-    const bool before = has_before && (!has_after || runs[shortest - 1].length >= runs[shortest + 1].length);
+    const bool before = run.joined && (!joined_after(shortest) || runs[shortest - 1].length >= runs[shortest + 1].length);
     const Label label = segments[before ? run.first - 1 : run.last].label;
     for (std::size_t i = run.first; i < run.last; ++i) segments[i].label = label;
   }
@@ -310,10 +308,10 @@ bool split_rim(Regions& regions, const Geometry& geometry, int site, const std::
     s.from += inset;
     s.to -= inset;
   }
-  const auto distance = [segments](const Vec3& p, Label label, bool equal) {
+  const auto distance = [&](const Vec3& p, const auto& counts) {
     double least = std::numeric_limits<double>::max();
     for (const RimSegment& s : segments)
-      if (label == kNoLabel || (s.label == label) == equal) least = std::min(least, squared_distance(s.from, s.to, p));
+      if (counts(s.label)) least = std::min(least, squared_distance(s.from, s.to, p));
     return std::sqrt(least);
   };
   std::vector<Label> labels;
@@ -321,7 +319,8 @@ bool split_rim(Regions& regions, const Geometry& geometry, int site, const std::
     if (std::find(labels.begin(), labels.end(), s.label) == labels.end()) labels.push_back(s.label);
 
   std::vector<int> patch = triangles_of(regions, site);
-  const CutFunction rim{[&](const Vec3& p, const Vec3&) { return distance(p, kNoLabel, true) - width; }, {}, 0.5 * width};
+  const auto all = [](Label) { return true; };
+  const CutFunction rim{[&](const Vec3& p, const Vec3&) { return distance(p, all) - width; }, {}, 0.5 * width};
   if (areas_by_sign(mesh, patch, rim)[0] < least_area) return false;
   SurfaceCutter cutter(mesh, geometry.projector, kSnap);
   pin_border(regions, site, patch, cutter);
@@ -344,7 +343,9 @@ bool split_rim(Regions& regions, const Geometry& geometry, int site, const std::
   for (std::size_t k = 0; k < labels.size(); ++k) {
     const Label label = labels[k];
     const bool last = k + 1 == labels.size();
-    if (!last) cut({[&](const Vec3& p, const Vec3&) { return distance(p, label, true) - distance(p, label, false); }, {}, 0});
+    const auto own = [&](Label l) { return l == label; };
+    const auto others = [&](Label l) { return l != label; };
+    if (!last) cut({[&](const Vec3& p, const Vec3&) { return distance(p, own) - distance(p, others); }, {}, 0});
     next.clear();
     for (std::size_t i = 0; i < rest.size(); ++i)
       if (last || side[i] < 0)

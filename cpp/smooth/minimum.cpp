@@ -11,12 +11,9 @@
 namespace hexfeature {
 namespace {
 
-constexpr double kLimit = 0.32;       ///< scaled Jacobian below which an element is a bad place
-constexpr double kGoal = 0.9;         ///< ... and as long as it is the mesh's worst one
-constexpr double kLeastGain = 0.002;  ///< of a place
-constexpr double kShortEdge = 0.06;   ///< of h: a mesh edge gets shorter than this only if it nearly was ...
-constexpr double kLeastEdge = 0.05;   ///< ... and never shorter than this, unless it was
-constexpr int kPlaces = 60;
+constexpr double kShortEdge = 0.06;  ///< of h: a mesh edge gets shorter than this only if it nearly was ...
+constexpr double kLeastEdge = 0.05;  ///< ... and hardly shorter than this, unless it was
+constexpr double kGranted = 0.97;    ///< what "hardly" grants of a length, in one place
 constexpr std::array<double, 5> kPowers{12, 24, 48, 96, 192};
 
 using Corners = Eigen::Matrix<double, 3, 8>;
@@ -62,7 +59,7 @@ class LeastScaledJacobian : public Objective {
     const double h = patch.setting.options.size;
     for (Edge& e : edges_) {
       const double length = (point(patch.x, e.b) - point(patch.x, e.a)).norm();
-      e.least = std::min(kShortEdge * h, std::max(0.9 * length, std::min(kLeastEdge * h, 0.97 * length)));
+      e.least = std::min(kShortEdge * h, std::max(0.9 * length, std::min(kLeastEdge * h, kGranted * length)));
     }
     value_.resize(kFrames * patch.hexes.size());
   }
@@ -120,7 +117,7 @@ class LeastScaledJacobian : public Objective {
   /// Whether no edge is shorter than it may be (points that went back onto the CAD are granted a little).
   bool allows(const std::vector<double>& x) const {
     return std::all_of(edges_.begin(), edges_.end(),
-                       [&](const Edge& e) { return (point(x, e.b) - point(x, e.a)).norm() >= 0.97 * e.least; });
+                       [&](const Edge& e) { return (point(x, e.b) - point(x, e.a)).norm() >= kGranted * e.least; });
   }
 
  private:
@@ -196,27 +193,13 @@ double raise(Patch& patch) {
 }  // namespace
 
 void raise_minimum(HexComplex& mesh, SmoothSetting& setting) {
-  std::vector<double> quality;
-  measure(mesh, setting.workers, quality);
-  std::vector<char> settled(mesh.hexes.size(), 0);
-  bool stuck = false;  // the worst element of all stays what it is
-  for (int place = 0; place < kPlaces; ++place) {
-    setting.context.progress("smooth", 0.97 + 0.02 * place / kPlaces);
-    int worst = -1;
-    for (int h = 0; h < mesh.hex_count(); ++h)
-      if (!settled[h] && quality[h] > 0 && quality[h] < (stuck ? kLimit : kGoal) && (worst < 0 || quality[h] < quality[worst])) worst = h;
-    if (worst < 0) return;
-    Patch patch(mesh, points_near(mesh, 1, [&](int h) { return h == worst; }), setting);
-    if (raise(patch) < kLeastGain) {
-      settled[worst] = 1;
-      stuck = true;
-      continue;
-    }
-    patch.write_back(mesh);
-    std::vector<double> now;
-    patch.measure(patch.x, now);
-    for (std::size_t i = 0; i < now.size(); ++i) quality[patch.elements[i]] = now[i];
-  }
+  PlaceRules rules;
+  rules.limit = 0.32;
+  rules.goal = 0.9;
+  rules.rings = 1;
+  rules.least_gain = 0.002;
+  rules.progress = 0.97;
+  lift_each_place(mesh, setting, rules, raise);
 }
 
 }  // namespace hexfeature

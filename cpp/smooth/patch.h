@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -100,6 +101,18 @@ class PatchObjective : public Objective {
   double penalty_;
   std::vector<double> inverse_;  ///< of the stiffness, per point
 };
+
+/// Which bad places `lift_each_place` looks at.
+struct PlaceRules {
+  double limit = 0;       ///< elements of a scaled Jacobian below this ...
+  double goal = 0;        ///< ... or below this, as long as none has been in vain: the mesh's worst element then rises
+  int rings = 1;          ///< of elements round the bad one that move, too
+  double least_gain = 0;  ///< of a place, or it is left as it was
+  double progress = 0;    ///< of the whole of smoothing, at the first place
+};
+
+/// The worst element with its neighbourhood alone, then the next one, at most sixty. `lift` changes a patch and returns what is gained.
+void lift_each_place(HexComplex& mesh, SmoothSetting& setting, const PlaceRules& rules, const std::function<double(Patch&)>& lift);
 
 /// (2) of experiments B5: penalised untangling rounds. Returns the number of rounds.
 int untangle_softly(Patch& patch);

@@ -89,24 +89,22 @@ void lift_mean(HexComplex& mesh, SmoothSetting& setting) {
   if (sweep(patch, {2, 2, 2, 2}, merit) > 0) patch.write_back(mesh);
 }
 
-void lift_places(HexComplex& mesh, SmoothSetting& setting) {
+void lift_each_place(HexComplex& mesh, SmoothSetting& setting, const PlaceRules& rules, const std::function<double(Patch&)>& lift) {
   constexpr int kPlaces = 60;
-  constexpr double kLimit = 0.4, kLeastGain = 5e-3;
   std::vector<double> quality;
   measure(mesh, setting.workers, quality);
   std::vector<char> settled(mesh.hexes.size(), 0);
+  double limit = rules.goal;
   for (int place = 0; place < kPlaces; ++place) {
-    setting.context.progress("smooth", 0.95 + 0.02 * place / kPlaces);
+    setting.context.progress("smooth", rules.progress + 0.02 * place / kPlaces);
     int worst = -1;
     for (int h = 0; h < mesh.hex_count(); ++h)
-      if (!settled[h] && quality[h] > 0 && quality[h] < kLimit && (worst < 0 || quality[h] < quality[worst])) worst = h;
+      if (!settled[h] && quality[h] > 0 && quality[h] < limit && (worst < 0 || quality[h] < quality[worst])) worst = h;
     if (worst < 0) return;
-    Patch patch(mesh, points_near(mesh, 2, [&](int h) { return h == worst; }), setting);
-    // A tenth more of the worst element is worth a twentieth of the neighbourhood's mean.
-    const double count = static_cast<double>(patch.hexes.size());
-    const auto merit = [&](const Grade& g) { return g.min_sj > 0 ? 0.5 * std::log(g.min_sj) + g.sum_sj / count : -1e9; };
-    if (sweep(patch, {1, 2, 4, 8, 16}, merit) < kLeastGain) {
+    Patch patch(mesh, points_near(mesh, rules.rings, [&](int h) { return h == worst; }), setting);
+    if (lift(patch) < rules.least_gain) {
       settled[worst] = 1;
+      limit = rules.limit;  // the mesh's worst element stays what it is
       continue;
     }
     patch.write_back(mesh);
@@ -114,6 +112,20 @@ void lift_places(HexComplex& mesh, SmoothSetting& setting) {
     patch.measure(patch.x, now);
     for (std::size_t i = 0; i < now.size(); ++i) quality[patch.elements[i]] = now[i];
   }
+}
+
+void lift_places(HexComplex& mesh, SmoothSetting& setting) {
+  PlaceRules rules;
+  rules.limit = rules.goal = 0.4;
+  rules.rings = 2;
+  rules.least_gain = 5e-3;
+  rules.progress = 0.95;
+  lift_each_place(mesh, setting, rules, [](Patch& patch) {
+    // A tenth more of the worst element is worth a twentieth of the neighbourhood's mean.
+    const double count = static_cast<double>(patch.hexes.size());
+    const auto merit = [&](const Grade& g) { return g.min_sj > 0 ? 0.5 * std::log(g.min_sj) + g.sum_sj / count : -1e9; };
+    return sweep(patch, {1, 2, 4, 8, 16}, merit);
+  });
 }
 
 }  // namespace hexfeature
