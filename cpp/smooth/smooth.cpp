@@ -45,9 +45,10 @@ std::vector<double> target_sizes(const HexComplex& mesh, double h, double least)
 
 /// The lengths that the mesh edges along CAD curves should keep. Without them points slide along a curve wherever an element
 /// gains a little, until neighbours stand 5 h or nothing apart: long chords then cut off the curve that the mesh follows. An edge
-/// may stretch until its sag (curvature |e|^2 / 8) is 0.15 h; a nearly straight one to 1.6 times the length that it came with.
+/// may stretch until its sag (curvature |e|^2 / 8) is 0.15 h; a nearly straight one to 1.6 times the length that it came with. One that
+/// comes with more may keep it, up to 0.2 h: beside a pinned point the fit can hardly do better, but its neighbours can move up.
 std::vector<Span> curve_spans(const HexComplex& mesh, const Projector& projector, double h, const Context& context) {
-  constexpr double kSag = 0.15, kStretch = 1.6, kLong = 1.6;
+  constexpr double kSag = 0.15, kMostSag = 0.2, kStretch = 1.6, kLong = 1.6;
   const std::size_t n = std::min(mesh.feature_edges.size(), mesh.feature_edge_cad.size());
   // Curvature from the tangents at both ends; of neighbours along one CAD edge the greatest, since points slide from one to the next.
   std::vector<double> curvature(n, 0.0), length(n, 0.0);
@@ -76,9 +77,12 @@ std::vector<Span> curve_spans(const HexComplex& mesh, const Projector& projector
     const int cad = mesh.feature_edge_cad[i];
     if (!(length[i] > 0)) continue;
     const double bend = std::max(at_node[{cad, e[0]}], at_node[{cad, e[1]}]);
-    double longest = std::max(kStretch * length[i], kLong * h);
-    if (bend > 0) longest = std::min(longest, std::sqrt(8 * kSag * h / bend));
-    spans.push_back({e[0], e[1], std::max(longest, length[i]), 0.5 * std::min(length[i], h)});
+    double longest = std::max(kStretch * length[i], kLong * h), most = length[i];
+    if (bend > 0) {
+      longest = std::min(longest, std::sqrt(8 * kSag * h / bend));
+      most = std::min(most, std::sqrt(8 * kMostSag * h / bend));
+    }
+    spans.push_back({e[0], e[1], std::max(longest, most), 0.5 * std::min(length[i], h)});
   }
   return spans;
 }
