@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "sheet/quad_faces.h"
 #include "sheet/shrink_set.h"
 
 namespace hexfeature {
@@ -127,6 +128,7 @@ SheetReport insert_sheets(HexComplex& complex, const FeatureShape& shape, const 
     report.names.push_back(done.back());
     report.hexes.push_back({begin, complex.hex_count()});
   }
+  if (report.inserted > 0) face_quads_at_sharp_edges(complex, geometry);
   return report;
 }
 

@@ -5,6 +5,7 @@
 
 #include "round_parts.h"
 #include "sheet/edge_angle.h"
+#include "sheet/quad_faces.h"
 #include "sheet/shrink_set.h"
 #include "sheet/topology.h"
 
@@ -377,6 +378,43 @@ TEST_CASE("an edge that is sharp in the CAD needs no sheet, however its quads li
   SheetOptions strict;
   strict.crease_angle = 0;  // nothing is smooth
   CHECK(groups_of(part, strict).empty());
+}
+
+TEST_CASE("quads along a sharp CAD edge lie on its two faces, whatever face a sheet left them with") {
+  auto part = block_part();
+  HexComplex& c = part.complex;
+  const std::vector<int> right = c.quad_face;
+  CHECK(face_quads_at_sharp_edges(c, part.geometry()) == 0);
+  CHECK(c.quad_face == right);
+
+  // A quad with one side on a sharp edge and a wrong face is put right.
+  const HexTopology topology = make_topology(c);
+  const auto sides_on_edges = [&](int q) {
+    int n = 0;
+    for (int k = 0; k < 4; ++k) n += feature_of(c, c.quads[q][k], c.quads[q][(k + 1) % 4]) > 0;
+    return n;
+  };
+  int changed = 0;
+  for (std::size_t e = 0; e < c.feature_edges.size(); ++e) {
+    const auto* edge = topology.find_edge(c.feature_edges[e][0], c.feature_edges[e][1]);
+    REQUIRE(edge);
+    const int q = edge->quads[0];
+    if (sides_on_edges(q) != 1) continue;
+    for (int wrong = 1; wrong <= static_cast<int>(part.faces.size()); ++wrong) {
+      if (wrong == right[q] || wrong == right[edge->quads[1]]) continue;
+      c.quad_face[q] = wrong;
+      CHECK(face_quads_at_sharp_edges(c, part.geometry()) == 1);
+      CHECK(c.quad_face == right);
+      ++changed;
+    }
+  }
+  CHECK(changed > 0);
+  // Along a tangent edge nothing says where a quad lies.
+  for (CadEdge& e : part.edges) e.sharp = false;
+  const int q = topology.find_edge(c.feature_edges[0][0], c.feature_edges[0][1])->quads[0];
+  c.quad_face[q] = right[q] % 6 + 1;
+  CHECK(face_quads_at_sharp_edges(c, part.geometry()) == 0);
+  CHECK(c.quad_face[q] == right[q] % 6 + 1);
 }
 
 TEST_CASE("a complex that is none is an error") {
