@@ -170,6 +170,24 @@ double LabelScorer::backward_defect(const MacroGraph& graph, int a) const {
   return excess > 0 ? 0.3 * std::min(1.0, 0.25 + excess) : 0;
 }
 
+bool LabelScorer::starts_in_quad(const MacroGraph& graph, int dart) const {
+  const int n = graph.start_of(dart);
+  if (n < 0 || node_corner_[n] < 0) return false;
+  const int first = graph.node_first[n], last = graph.node_first[n + 1];
+  int right = first;
+  while (graph.node_darts[right] != dart) ++right;
+  int left = right;
+  do {
+    right = right == first ? last - 1 : right - 1;
+  } while (!border_[graph.node_darts[right] / 2]);
+  do {
+    left = left + 1 == last ? first : left + 1;
+  } while (!border_[graph.node_darts[left] / 2]);
+  // The chart's border comes in along the left one and goes out along the right one.
+  const int in = dart_arc_[graph.node_darts[left] ^ 1], out = dart_arc_[graph.node_darts[right]];
+  return checker.axis[in / 2] >= 0 && checker.axis[out / 2] >= 0 && checker.turn(charts, in, out) == 1;
+}
+
 std::vector<int> LabelScorer::sites_beside(const MacroGraph& graph, int a) const {
   std::vector<int> sites;
   for (int i = arc_darts_first_[a]; i < arc_darts_first_[a + 1]; ++i) {
@@ -190,11 +208,13 @@ LabelScore LabelScorer::score(const MacroGraph& graph, const std::vector<Label>&
     result.energy += graph.fidelity[s][labels[s]];
     result.defects += graph.defect[s][labels[s]];
   }
-  for (const auto& e : graph.edges) {
+  for (int i = 0; i < graph.edge_count(); ++i) {
+    const auto& e = graph.edges[i];
     const Label a = labels[e.left], b = labels[e.right];
     if (a == b) {
       result.energy += e.same;
       result.defects += e.same_defect;
+      if (e.lost > 0 && (starts_in_quad(graph, 2 * i) || starts_in_quad(graph, 2 * i + 1))) result.energy += e.lost;
     } else {
       result.energy += e.differ + (a == opposite(b) ? e.opposed : 0);
     }

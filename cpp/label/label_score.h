@@ -50,6 +50,8 @@ class LabelScorer {
   void build_charts(const MacroGraph& graph, const std::vector<Label>& labels);
 
   double backward_defect(const MacroGraph& graph, int arc) const;
+  /// Whether a macro dart inside a chart sets out from a corner at which the chart has one quad: no mesh edge of its own leaves there.
+  bool starts_in_quad(const MacroGraph& graph, int dart) const;
 
   double size_, fold_tolerance_;
   std::vector<int> parent_, node_corner_, dart_arc_, position_, seen_, arc_darts_, arc_darts_first_, corner_node_;

@@ -94,6 +94,7 @@ void add_edges(const SurfaceMesh& mesh, const Partition& partition, double size,
       e.differ += 0.5 * length * unit * (angle < kTangent ? 1.0 : angle < kBent ? 0.4 : 0.1);
       e.same += length * unit * (angle > kCrease ? 3.0 : angle > kBlunt ? 0.3 : 0.0);
       if (angle > kCrease) merged += length;
+      if (angle > kTangent) e.lost += 0.3 * length * unit;
     }
     e.opposed = 4 * e.length * unit;
     if (e.length > 0) e.dihedral /= e.length;

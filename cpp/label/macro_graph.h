@@ -24,6 +24,7 @@ struct MacroGraph {
     double same = 0;         ///< ... when they are equal
     double opposed = 0;      ///< ... added when they are opposite
     double same_defect = 0;  ///< soft defect when they are equal
+    double lost = 0;         ///< energy when they are equal and no mesh edge can follow a sharp edge here
   };
   double total_area = 0;
   // Per site.
@@ -52,7 +53,8 @@ struct MacroGraph {
 /// Energy (experiments A5), in fractions of the part's area, l = min(h, sqrt of the smaller site's area):
 ///   label l on a site: sum over triangles of A (1 - n.l + 2 max(0, 0.1 - n.l));
 ///   labels differ: 0.5 len l k, k = 1 below 20 degrees, 0.4 below 50, else 0.1; opposite: 4 len l more;
-///   labels equal: 3 len l above 63 degrees, 0.3 len l from 40 to 63.
+///   labels equal: 3 len l above 63 degrees, 0.3 len l from 40 to 63; above 20 degrees 0.3 len l more where the edge ends in a corner at
+///   which the chart has a single quad (LabelScorer).
 /// Soft defects: a site with mean n.l < 0.17: 0.6 min(1, 1/4 + A/h^2) min(1.5, (0.17 - n.l) / 0.17);
 ///   equal labels across more than 63 degrees: 0.4 min(1, 0.3 + len/h).
 ///

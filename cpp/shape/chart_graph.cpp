@@ -196,6 +196,16 @@ void ChartChecker::choose_signs(const ChartGraph& graph, double size) {
   }
 }
 
+int ChartChecker::turn(const ChartGraph& graph, int d, int e) const {
+  const int ad = axis[d / 2], ae = axis[e / 2];
+  const int sd = d % 2 == 0 ? sign[d / 2] : -sign[d / 2], se = e % 2 == 0 ? sign[e / 2] : -sign[e / 2];
+  if (ad == ae) return sd == se ? 0 : -2;
+  // Left turn: e = normal x d.
+  const Label normal = graph.label[graph.left_of(d)];
+  const int handed = (ad - axis_of(normal) + 3) % 3 == 1 ? 1 : -1;
+  return handed * sign_of(normal) * sd == se ? 1 : -1;
+}
+
 void ChartChecker::check_turnings(const ChartGraph& graph) {
   // Left turns minus right turns of every loop, in quarter turns; kNone where it cannot be told.
   constexpr int kNone = 1000;
@@ -204,7 +214,6 @@ void ChartChecker::check_turnings(const ChartGraph& graph) {
   order_.assign(charts, -1);    // the chart's outer loop: the one that turns most
   for (int l = 0; l < loops; ++l) {
     const int first = graph.loop_first[l], last = graph.loop_first[l + 1];
-    const Label normal = graph.label[graph.loop_chart[l]];
     int turning = 0;
     bool known = true;
     for (int i = first; i < last && known; ++i) {
@@ -213,15 +222,7 @@ void ChartChecker::check_turnings(const ChartGraph& graph) {
         known = false;
         break;
       }
-      const int ad = axis[d / 2], ae = axis[e / 2];
-      const int sd = d % 2 == 0 ? sign[d / 2] : -sign[d / 2], se = e % 2 == 0 ? sign[e / 2] : -sign[e / 2];
-      if (ad == ae) {
-        if (sd != se) turning -= 2;  // a spike
-        continue;
-      }
-      // Left turn: e = normal x d.
-      const int n = axis_of(normal), handed = (ad - n + 3) % 3 == 1 ? 1 : -1;
-      turning += handed * sign_of(normal) * sd == se ? 1 : -1;
+      turning += turn(graph, d, e);
     }
     if (!known) continue;
     stack_[l] = turning;

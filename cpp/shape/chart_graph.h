@@ -63,6 +63,10 @@ class ChartChecker {
   /// `size`: the element size h. Results are valid until the next call.
   void check(const ChartGraph& graph, double size);
 
+  /// Quarter turns to the left from an arc dart into the next one round the chart on their left: 1, -1, 0, or -2 (back on itself).
+  /// Both darts must have an axis.
+  int turn(const ChartGraph& graph, int dart, int next) const;
+
   std::vector<ChartIssue> issues;
   std::vector<int> cycle_charts;
   std::vector<signed char> sign;  ///< per arc: +1, -1; 0 when its charts share an axis

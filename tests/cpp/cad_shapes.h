@@ -5,8 +5,11 @@
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeSolid.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
@@ -16,6 +19,7 @@
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRepTools.hxx>
 #include <GC_MakeArcOfCircle.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Shape.hxx>
 #include <cmath>
 #include <gp_Ax1.hxx>
@@ -68,6 +72,29 @@ inline TopoDS_Shape rounded_block(double side, double r, double height) {
   wire.Add(BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(p[2], gp_Pnt(m, m, 0), p[3]).Value()));
   for (const auto& [a, b] : {std::pair{3, 4}, {4, 0}}) wire.Add(BRepBuilderAPI_MakeEdge(p[a], p[b]));
   return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire.Wire()), gp_Vec(0, 0, height)).Shape();
+}
+/// A hexagonal prism that stands on the origin, two of its sides square to x, its upper edges chamfered.
+inline TopoDS_Shape chamfered_hexagon(double corner, double height, double chamfer) {
+  const auto point = [](double radius, double z, int i) {
+    return gp_Pnt(radius * std::cos(M_PI / 6 + i * M_PI / 3), radius * std::sin(M_PI / 6 + i * M_PI / 3), z);
+  };
+  const std::pair<double, double> rings[] = {{corner, 0}, {corner, height - chamfer}, {corner - chamfer / std::cos(M_PI / 6), height}};
+  BRepBuilderAPI_Sewing sewing;
+  for (int k = 0; k < 2; ++k)
+    for (int i = 0; i < 6; ++i) {
+      const auto [r, z] = rings[k];
+      const auto [s, w] = rings[k + 1];
+      sewing.Add(BRepBuilderAPI_MakeFace(
+          BRepBuilderAPI_MakePolygon(point(r, z, i), point(r, z, i + 1), point(s, w, i + 1), point(s, w, i), true)));
+    }
+  for (const auto& [r, z] : {rings[0], rings[2]}) {
+    BRepBuilderAPI_MakePolygon outline;
+    for (int i = 0; i < 6; ++i) outline.Add(point(r, z, r == corner ? -i : i));
+    outline.Close();
+    sewing.Add(BRepBuilderAPI_MakeFace(outline.Wire()));
+  }
+  sewing.Perform();
+  return BRepBuilderAPI_MakeSolid(TopoDS::Shell(sewing.SewedShape()));
 }
 /// A plate 40 x 30 x 8 with a hole of radius 6.
 inline TopoDS_Shape plate_with_hole() { return cut(box(40, 30, 8), moved(cylinder(6, 20), 15, 15, -5)); }

@@ -107,6 +107,26 @@ TEST_CASE("a narrow strip along a tangent edge is not cut off") {
   CHECK(sites_of_fillet(3) == 1);
 }
 
+TEST_CASE("chamfers that meet in mitres go with the top, where the edges below them can be followed") {
+  // Square to x, chamfer and wall could as well be one chart, whose border would leave no mesh edge for the edge between them.
+  const double h = 1;
+  const auto model = cad_shapes::model_of(cad_shapes::chamfered_hexagon(4.44, 3.85, 0.385));
+  Context context;
+  LabelOptions options;
+  options.size = h;
+  const LabelResult labels = label_regions(cad_shapes::surface_of(*model, h), model->geometry(), options, {}, context);
+  CHECK(labels.validity.valid());
+  const SurfaceMesh& mesh = labels.surface.mesh;
+  int chamfers = 0;
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    const Vec3 n = mesh.mean_normal(t);
+    if (n[2] < 0.5 || n[2] > 0.9) continue;
+    ++chamfers;
+    CHECK(labels.surface.label[t] == make_label(2, 1));
+  }
+  CHECK(chamfers > 0);
+}
+
 TEST_CASE("a sphere has six sites of equal area") {
   const auto solid = round_sphere(32, 1, turned(33, Vec3(1, 2, 3)));
   const Regions r = cut(*solid, 0.3);
