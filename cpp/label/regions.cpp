@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "label/site_parts.h"
+#include "label/strips.h"
 #include "mesh/cut_mesh.h"
 #include "shape/partition.h"
 
@@ -49,27 +50,8 @@ FacePatch measure(const SurfaceMesh& mesh, std::vector<int> triangles) {
   return patch;
 }
 
-/// The frame of a surface of revolution: e1 is the working axis most perpendicular to the surface's, made orthogonal to it.
-struct RadialFrame {
-  Vec3 origin, axis, e1, e2;
-  double on_axis;  ///< squared radius below which a point (a cone's apex) counts as on the axis, where all strips meet
-
-  RadialFrame(const CadFace& face, double size) : origin(face.origin), axis(face.axis.normalized()), on_axis(1e-8 * size * size) {
-    int k = 0;
-    for (int i = 1; i < 3; ++i)
-      if (std::abs(axis[i]) < std::abs(axis[k]) - 1e-9) k = i;
-    e1 = (Vec3::Unit(k) - axis[k] * axis).normalized();
-    e2 = axis.cross(e1);
-  }
-  /// (r.e1)^2 - (r.e2)^2 of the unit radial direction: its zeros are the borders of the strips centred on +-e1, +-e2.
-  double strips(const Vec3& p) const {
-    const double x = (p - origin).dot(e1), y = (p - origin).dot(e2), rr = x * x + y * y;
-    return rr > on_axis ? (x * x - y * y) / rr : 0;
-  }
-};
-
 /// Is a cylinder or cone oblique, longer than h and more than about half round? Then `middle` is its mid-height on the axis.
-bool needs_cross_cut(const SurfaceMesh& mesh, const FacePatch& patch, const RadialFrame& frame, const RegionOptions& options,
+bool needs_cross_cut(const SurfaceMesh& mesh, const FacePatch& patch, const StripFrame& frame, const RegionOptions& options,
                      double& middle) {
   if (frame.axis.cwiseAbs().maxCoeff() > std::cos(options.oblique_angle * kDegree)) return false;
   double low = std::numeric_limits<double>::max(), high = -low;
@@ -88,13 +70,13 @@ bool needs_cross_cut(const SurfaceMesh& mesh, const FacePatch& patch, const Radi
 }
 
 /// The cut functions of one face (none: it stays whole). Those of a free-form face end where a third axis is nearer.
-std::vector<CutFunction> cut_functions(const SurfaceMesh& mesh, const FacePatch& patch, const CadFace& face, const RegionOptions& options) {
+std::vector<CutFunction> cut_functions(const SurfaceMesh& mesh, const FacePatch& patch, const CadFace& face, const Vec3& border,
+                                       const RegionOptions& options) {
   std::vector<CutFunction> cuts;
   if (face.kind == SurfaceKind::Plane || patch.spread < options.flat_angle * kDegree) return cuts;
-  const bool round = face.axis.norm() > 0.5;
-  if (round && (face.kind == SurfaceKind::Cylinder || face.kind == SurfaceKind::Cone || face.kind == SurfaceKind::Torus)) {
-    const RadialFrame frame(face, options.size);
-    cuts.push_back({[frame](const Vec3& p, const Vec3&) { return frame.strips(p); }, {}, 0});
+  if (is_revolved(face)) {
+    const StripFrame frame(face, options.size, border);
+    cuts.push_back({[frame](const Vec3& p, const Vec3&) { return frame.side(p); }, {}, 0});
     double middle = 0;
     if (face.kind == SurfaceKind::Torus)
       cuts.push_back({[frame](const Vec3&, const Vec3& n) { return n.dot(frame.axis) * n.dot(frame.axis) - 0.5; }, {}, 0});
@@ -125,6 +107,8 @@ Regions cut_regions(const SurfaceMesh& input, const Geometry& geometry, const Re
   SurfaceCutter cutter(mesh, geometry.projector, options.snap);
   std::vector<int> piece(mesh.triangle_count(), 0);  // per triangle: which piece of its face, by the signs of the cut functions
   std::vector<double> face_area(faces + 1, 0);
+  Strips strips = place_strips(geometry, options.size);
+  strips.tip.resize(std::max<std::size_t>(strips.tip.size(), faces + 1), 0);
   std::vector<signed char> side;
   for (int f = 0; f <= faces; ++f) {
     if (face_triangles[f].empty()) continue;
@@ -132,7 +116,7 @@ Regions cut_regions(const SurfaceMesh& input, const Geometry& geometry, const Re
     const FacePatch patch = measure(mesh, face_triangles[f]);
     face_area[f] = patch.area;
     if (f == 0 || !geometry.faces || f > static_cast<int>(geometry.faces->size())) continue;
-    for (const CutFunction& cut : cut_functions(mesh, patch, geometry.face(f), options)) {
+    for (const CutFunction& cut : cut_functions(mesh, patch, geometry.face(f), strips.border[f], options)) {
       const int old_count = mesh.triangle_count();
       std::vector<int>& list = face_triangles[f];
       cutter.cut(list, cut, side);
@@ -150,7 +134,7 @@ Regions cut_regions(const SurfaceMesh& input, const Geometry& geometry, const Re
   result.site = connected_components(mesh, key);
   const LeastSite least{options.least_share, options.least_area * options.size * options.size, options.strip_share,
                         options.least_width * options.size};
-  merge_small_sites(mesh, face_area, geometry, least, result.site);
+  merge_small_sites(mesh, face_area, geometry, strips.tip, least, result.site);
   const int sites = result.site.empty() ? 0 : 1 + *std::max_element(result.site.begin(), result.site.end());
   result.site_face.assign(sites, 0);
   for (int t = 0; t < mesh.triangle_count(); ++t) result.site_face[result.site[t]] = mesh.triangle_face[t];

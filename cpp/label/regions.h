@@ -32,7 +32,8 @@ struct Regions {
 /// Cut every curved CAD face where the nearest axis of the working frame (x, y, z) changes.
 ///  Plane, or any face whose normals stay within `flat_angle` of their mean: one site.
 ///  Cylinder, cone with axis a: e1 = the frame axis most perpendicular to a, made orthogonal to it, e2 = a x e1; cut where
-///  (r.e1)^2 = (r.e2)^2, r the radial direction: four straight strips centred on +-e1, +-e2. Oblique long ones also across.
+///  (r.e1)^2 = (r.e2)^2, r the radial direction: four straight strips centred on +-e1, +-e2, turned where place_strips says so. Oblique
+///  long ones also across.
 ///  Torus: the same, and where (n.a)^2 = 1/2. Sphere and all else: where two squared normal components are equal and greatest.
 /// Cut functions are evaluated per (face, point), never from (u, v). Deterministic. Linear in the number of triangles.
 /// Requires a connected mesh (`opposite`) with corner normals; geometry.projector may be null (new points stay on chords).

@@ -13,8 +13,8 @@ constexpr double kBeside = 0.4;
 
 }  // namespace
 
-void merge_small_sites(const SurfaceMesh& mesh, const std::vector<double>& face_area, const Geometry& geometry, const LeastSite& least_site,
-                       std::vector<int>& site) {
+void merge_small_sites(const SurfaceMesh& mesh, const std::vector<double>& face_area, const Geometry& geometry,
+                       const std::vector<char>& tip, const LeastSite& least_site, std::vector<int>& site) {
   const int sites = site.empty() ? 0 : 1 + *std::max_element(site.begin(), site.end());
   std::vector<double> area(sites, 0), outline(sites, 0), tangent(sites, 0);
   std::vector<int> face(sites, 0);
@@ -32,8 +32,8 @@ void merge_small_sites(const SurfaceMesh& mesh, const std::vector<double>& face_
   }
   const auto small = [&](int s) {
     const double share = area[s] / face_area[face[s]];
-    return (area[s] < least_site.area && share < least_site.share) ||
-           (2 * area[s] < least_site.width * outline[s] && share < least_site.strip_share && tangent[s] > kBeside * outline[s]);
+    return (area[s] < least_site.area && share < least_site.share) || (!tip[face[s]] && 2 * area[s] < least_site.width * outline[s] &&
+                                                                       share < least_site.strip_share && tangent[s] > kBeside * outline[s]);
   };
   std::vector<int> order;
   for (int s = 0; s < sites; ++s)

@@ -14,9 +14,9 @@ struct LeastSite {
 };
 
 /// Join every site that is too small to the neighbour in its face with the longest common border, the smallest site first, until none is
-/// left that has such a neighbour. Sites are renumbered 0..n-1 in order of their first triangle. `face_area`: per CAD face (index = its
-/// 1-based number).
-void merge_small_sites(const SurfaceMesh& mesh, const std::vector<double>& face_area, const Geometry& geometry, const LeastSite& least_site,
-                       std::vector<int>& site);
+/// left that has such a neighbour. Sites are renumbered 0..n-1 in order of their first triangle. `face_area`, `tip`: per CAD face (index =
+/// its 1-based number); on a tip (Strips::tip) narrow strips stay.
+void merge_small_sites(const SurfaceMesh& mesh, const std::vector<double>& face_area, const Geometry& geometry,
+                       const std::vector<char>& tip, const LeastSite& least_site, std::vector<int>& site);
 
 }  // namespace hexfeature

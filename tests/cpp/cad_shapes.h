@@ -73,6 +73,17 @@ inline TopoDS_Shape rounded_block(double side, double r, double height) {
   for (const auto& [a, b] : {std::pair{3, 4}, {4, 0}}) wire.Add(BRepBuilderAPI_MakeEdge(p[a], p[b]));
   return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire.Wire()), gp_Vec(0, 0, height)).Shape();
 }
+/// A drill of that radius that stands on the origin, its wall in two halves, parted in the direction of `degrees`; with `tip` > 0 one so
+/// long at its lower end.
+inline TopoDS_Shape parted_drill(double r, double h, double degrees, double tip) {
+  TopoDS_Shape halves[2];
+  for (int i = 0; i < 2; ++i) {
+    halves[i] = BRepPrimAPI_MakeCylinder(r, h, M_PI).Shape();
+    if (tip > 0) halves[i] = fuse(halves[i], moved(BRepPrimAPI_MakeCone(0, r, tip, M_PI).Shape(), 0, 0, -tip));
+    halves[i] = turned(halves[i], 0, 0, degrees + 180 * i);
+  }
+  return fuse(halves[0], halves[1]);
+}
 /// A hexagonal prism that stands on the origin, two of its sides square to x, its upper edges chamfered.
 inline TopoDS_Shape chamfered_hexagon(double corner, double height, double chamfer) {
   const auto point = [](double radius, double z, int i) {

@@ -107,6 +107,73 @@ TEST_CASE("a narrow strip along a tangent edge is not cut off") {
   CHECK(sites_of_fillet(3) == 1);
 }
 
+namespace {
+
+/// Sites of the faces round an axis, and the angles, mod 90 degrees, of the borders between two of them inside one face.
+struct HoleSites {
+  int cylinder = 0, cone = 0;
+  double least = 90, most = 0;
+};
+HoleSites sites_of_hole(const TopoDS_Shape& shape, const Vec3& centre, double h) {
+  const auto model = cad_shapes::model_of(shape);
+  Context context;
+  RegionOptions options;
+  options.size = h;
+  const Regions r = cut_regions(cad_shapes::surface_of(*model, h), model->geometry(), options, context);
+  check_sites(r);
+  HoleSites result;
+  for (int f : r.site_face) {
+    result.cylinder += model->faces[f - 1].kind == SurfaceKind::Cylinder;
+    result.cone += model->faces[f - 1].kind == SurfaceKind::Cone;
+  }
+  for (int t = 0; t < 3 * r.mesh.triangle_count(); ++t) {
+    const int a = r.site[t / 3], b = r.site[r.mesh.opposite[t] / 3];
+    if (a == b || r.site_face[a] != r.site_face[b]) continue;
+    const Vec3 p = r.mesh.points[r.mesh.from(t)] - centre;
+    if (std::hypot(p[0], p[1]) < 0.5) continue;  // near an apex a cut takes vertices
+    const double angle = std::fmod(std::atan2(p[1], p[0]) * 180 / EIGEN_PI + 360, 90);
+    result.least = std::min(result.least, angle);
+    result.most = std::max(result.most, angle);
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("a hole in two halves: a strip ends at the line that parts them when the nearest node would be a strip's end") {
+  const Vec3 centre(20, 15, 0);
+  const auto plate = [&](double degrees) {
+    const auto drill = cad_shapes::parted_drill(2.7, 20, degrees, 0);
+    return cad_shapes::cut(cad_shapes::box(40, 30, 8), cad_shapes::moved(drill, 20, 15, -5));
+  };
+  for (double degrees : {30.0, 60.0}) {  // 15 degrees beside the diagonal
+    const HoleSites turned = sites_of_hole(plate(degrees), centre, 2);
+    CHECK(turned.cylinder == 4);
+    CHECK(turned.least == doctest::Approx(degrees).epsilon(1e-4));
+    CHECK(turned.most == doctest::Approx(degrees).epsilon(1e-4));
+  }
+  const HoleSites usual = sites_of_hole(plate(10), centre, 2);  // a node half way along a strip is nearer
+  CHECK(usual.cylinder == 6);
+  CHECK(usual.least == doctest::Approx(45).epsilon(1e-4));
+  CHECK(usual.most == doctest::Approx(45).epsilon(1e-4));
+  // With many elements round the hole a node stands near the line anyhow.
+  CHECK(sites_of_hole(plate(30), centre, 0.5).least == doctest::Approx(45).epsilon(1e-4));
+}
+
+TEST_CASE("... not where the line runs on over a tip, which needs it between two ends") {
+  const Vec3 centre(20, 15, 0);
+  const auto block = [&](double degrees) {
+    const auto drill = cad_shapes::parted_drill(2, 20, degrees, 1.2);
+    return cad_shapes::cut(cad_shapes::box(40, 30, 12), cad_shapes::moved(drill, 20, 15, 6));
+  };
+  const HoleSites tip = sites_of_hole(block(57), centre, 2);  // 12 degrees, 0.2 h: narrow strips stay
+  CHECK(tip.cylinder == 6);
+  CHECK(tip.cone == 6);
+  CHECK(tip.least == doctest::Approx(45).epsilon(1e-4));
+  CHECK(tip.most == doctest::Approx(45).epsilon(1e-4));
+  CHECK(sites_of_hole(block(57), centre, 4).cone == 4);  // no node half way: they are joined
+}
+
 TEST_CASE("chamfers that meet in mitres go with the top, where the edges below them can be followed") {
   // Square to x, chamfer and wall could as well be one chart, whose border would leave no mesh edge for the edge between them.
   const double h = 1;

@@ -116,6 +116,27 @@ def corner_cone():
     return Part.makeBox(20, 20, 6).fuse(Part.makeCone(12, 0, 6.38, V(0, 0, 6), V(0, 0, 1), 90)).removeSplitter()
 
 
+def parted_drill(radius, height, degrees, tip):
+    """What a drill takes out, as many programs write it: wall and tip in two halves, parted in the direction of that angle."""
+    corners = [V(0, 0, -tip), V(radius, 0, 0), V(radius, 0, height), V(0, 0, height)]
+    half = Part.Face(Part.makePolygon(corners + corners[:1])).revolve(V(0, 0, 0), V(0, 0, 1), 180)
+    other = half.copy()
+    other.rotate(V(0, 0, 0), V(0, 0, 1), 180)
+    drill = half.fuse(other)
+    drill.rotate(V(0, 0, 0), V(0, 0, 1), degrees)
+    return drill
+
+
+def parted_holes():
+    """A block with a hole right through and two blind ones, their halves parted near the diagonals."""
+    body = Part.makeBox(90, 30, 24)
+    for x, radius, bottom, degrees, tip in ((15, 5.4, 0, 30, 0), (45, 4, 9, 30, 2.4), (75, 5.4, 9, 37, 3.2)):
+        drill = parted_drill(radius, 24 - bottom, degrees, tip)
+        drill.translate(V(x, 15, bottom))
+        body = body.cut(drill)
+    return body
+
+
 #: name -> (function, ending)
 SHAPES = {
     "plate": (plate, "step"), "far": (far, "step"), "far_turned": (far_turned, "step"),
@@ -125,7 +146,7 @@ SHAPES = {
     "shell_inside_out": (shell_inside_out, "brep"),
     "one_face_turned": (one_face_turned, "brep"), "tiny_edge": (tiny_edge, "step"), "sliver": (sliver, "step"),
     "touching": (touching, "step"), "loose_faces": (loose_faces, "brep"), "torn": (torn, "brep"),
-    "corner_cone": (corner_cone, "step"),
+    "corner_cone": (corner_cone, "step"), "parted_holes": (parted_holes, "step"),
 }
 
 

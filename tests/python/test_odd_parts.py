@@ -93,3 +93,13 @@ def test_a_curved_sharp_edge_inside_a_chart(odd, size):
     mesh = hexfeature.mesh(odd / "corner_cone.step", size=size, method="feature-line")
     assert mesh.report["faithfulness"]["sharp_edges_not_followed"] == []
     assert worst(mesh) > 0.6
+
+
+def test_holes_in_two_halves(odd):
+    """The halves' borders may be anywhere: nodes stand where they end, and stand evenly enough round the rims."""
+    mesh = hexfeature.mesh(odd / "parted_holes.step", size=4, method="feature-line")
+    assert mesh.report["faithfulness"]["sharp_edges_not_followed"] == []
+    assert worst(mesh) > 0.6
+    quads = {face: mesh.quads[mesh.quad_face == face] for face in np.unique(mesh.quad_face)}
+    tips = [len(q) for q in quads.values() if 0 < mesh.points[q][..., 2].min() and mesh.points[q][..., 2].max() < 9 + 1e-6]
+    assert len(tips) == 4 and tips[0] == tips[1] and tips[2] == tips[3]
