@@ -19,7 +19,7 @@ constexpr double kOrderCost = 20;         // an order violated by one interval, 
 constexpr double kOrderCostMany = 70;     // ... or many
 constexpr double kSeparationCost = 1000;  // above anything else: the fill has shown that it is needed
 constexpr double kIntervalWishCost = 20;  // an arc without the intervals its bends ask for
-constexpr double kShortestPiece = 0.5;    // of an arc, in h, that a mesh edge of its own is wished for
+constexpr double kShortestPiece = 0.4;    // of an arc, in h, that a mesh edge of its own is wished for
 constexpr double kPiecesCost = 20;        // a sharp CAD edge inside a chart without a line of its own
 constexpr double kPositionCost = 0.02, kPositionCostLarge = 0.05;
 constexpr double kTieBreak = 0.01;      // a target of n + 1/2 goes up everywhere

@@ -128,9 +128,9 @@ def parted_drill(radius, height, degrees, tip):
 
 
 def parted_holes():
-    """A block with a hole right through and two blind ones, their halves parted near the diagonals."""
-    body = Part.makeBox(90, 30, 24)
-    for x, radius, bottom, degrees, tip in ((15, 5.4, 0, 30, 0), (45, 4, 9, 30, 2.4), (75, 5.4, 9, 37, 3.2)):
+    """A block with two holes right through and two blind ones; the halves of all but the smallest are parted near the diagonals."""
+    body = Part.makeBox(120, 30, 24)
+    for x, radius, bottom, degrees, tip in ((15, 5.4, 0, 30, 0), (45, 4, 9, 30, 2.4), (75, 5.4, 9, 37, 3.2), (105, 2.4, 0, 0, 0)):
         drill = parted_drill(radius, 24 - bottom, degrees, tip)
         drill.translate(V(x, 15, bottom))
         body = body.cut(drill)
