@@ -139,16 +139,15 @@ Strips place_strips(const Geometry& geometry, double size) {
         seen[g] = 1;
         group.push_back(g);
       }
-    bool turned = false, tip = false, crossed = false;
+    bool turned = false, tip = false;
     for (int f : group) {
       if (parted[f].direction.isZero()) continue;
       turned = turned || std::abs(parted[f].turn) < std::min(kMostTurn, kPi / 4 / parted[f].intervals);
       tip = tip || (parted[f].to_axis && parted[f].intervals <= 2);
-      crossed = crossed || (parted[f].to_axis && parted[f].intervals == 2);
     }
     for (int f : group) {
       if (turned && !tip) strips.border[f] = direction;
-      strips.tip[f] = crossed;
+      strips.tip[f] = tip;
     }
   }
   return strips;

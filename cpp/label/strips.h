@@ -30,7 +30,7 @@ struct StripFrame {
 /// How the strips of a face lie; index = its CAD number, 0 unused.
 struct Strips {
   std::vector<Vec3> border;  ///< the direction across the axis that a strip shall end at; zero: any
-  std::vector<char> tip;     ///< no border of a strip should lie on the lines that part the face
+  std::vector<char> tip;     ///< no border of a strip should lie on the lines that part the face, nor take their place
 };
 
 /// Holes and shafts often come as two CAD faces or more, parted along straight lines anywhere on their way round, and a mesh edge lies on
@@ -38,7 +38,8 @@ struct Strips {
 /// border, that border shall lie on the line, or the mesh edges to its sides would be one very short and one very long. What touches the
 /// face and is round the same axis (a chamfer at a hole's rim) is turned with it.
 /// Where such a line runs on over a tip (a drilled hole's) to the axis, it is the other way round: the tip is one chart, in whose corners
-/// no mesh edge but its border's ends. With two intervals to a strip the line can meet the rim half way between two borders instead.
+/// no mesh edge but its border's ends. With one or two intervals to a strip the line can cross it from the middle of one strip to that of
+/// the opposite one, and no border may take its place.
 Strips place_strips(const Geometry& geometry, double size);
 
 }  // namespace hexfeature

@@ -11,16 +11,17 @@ namespace hexfeature {
 namespace {
 
 // Costs are relative to one interval too many or too few on an arc.
-constexpr double kShortCost = 0.7;        // one interval too many; one too few costs 1 and more
-constexpr double kGapCost = 0.2;          // a distance that samples saw off by one interval, per order ...
-constexpr double kLineCost = 0.2;         // ... and per line of elements that runs there, at most ...
-constexpr double kLineCostMost = 8;       // ... this much: large plates must not outweigh orders
-constexpr double kOrderCost = 20;         // an order violated by one interval, one sample ...
-constexpr double kOrderCostMany = 70;     // ... or many
-constexpr double kSeparationCost = 1000;  // above anything else: the fill has shown that it is needed
-constexpr double kIntervalWishCost = 20;  // an arc without the intervals its bends ask for
-constexpr double kShortestPiece = 0.4;    // of an arc, in h, that a mesh edge of its own is wished for
-constexpr double kPiecesCost = 20;        // a sharp CAD edge inside a chart without a line of its own
+constexpr double kShortCost = 0.7;            // one interval too many; one too few costs 1 and more
+constexpr double kGapCost = 0.2;              // a distance that samples saw off by one interval, per order ...
+constexpr double kLineCost = 0.2;             // ... and per line of elements that runs there, at most ...
+constexpr double kLineCostMost = 8;           // ... this much: large plates must not outweigh orders
+constexpr double kOrderCost = 20;             // an order violated by one interval, one sample ...
+constexpr double kOrderCostMany = 70;         // ... or many
+constexpr double kSeparationCost = 1000;      // above anything else: the fill has shown that it is needed
+constexpr double kIntervalWishCost = 20;      // an arc without the intervals its bends ask for
+constexpr double kShortestPiece = 0.4;        // of an arc, in h, that a mesh edge of its own is wished for
+constexpr double kShortestPieceAcross = 0.1;  // ... where faces end on both sides of it
+constexpr double kPiecesCost = 20;            // a sharp CAD edge inside a chart without a line of its own
 constexpr double kPositionCost = 0.02, kPositionCostLarge = 0.05;
 constexpr double kTieBreak = 0.01;      // a target of n + 1/2 goes up everywhere
 constexpr double kLargestTarget = 1e6;  // intervals; beyond, no lattice can be built anyway
@@ -80,13 +81,12 @@ std::vector<int> sharp_degrees(const SurfaceMesh& mesh) {
 
 /// Least number of intervals that an arc's shape asks for: chords close to its curve, and nodes where it kinks at a CAD vertex
 /// or where a sharp CAD edge joins or leaves it; and where one of its faces ends, since an edge of the mesh lies on one pair of faces
-/// only, unless a piece would be too short.
+/// only, unless a piece would be too short: where faces end on both sides, a line that parts both charts needs a node to cross there.
 int wished_intervals(const SurfaceMesh& mesh, const Partition::Edge& edge, const std::vector<int>& sharp_degree, double size,
                      double largest_sag) {
   const auto& vertices = edge.vertices;
   const Vec3 &a = mesh.points[vertices.front()], &b = mesh.points[vertices.back()];
   const Vec3 chord = b - a;
-  const double shortest = kShortestPiece * size;
   double sag = 0, length = 0, left = 0;  // of the arc, and of its last piece so far
   for (std::size_t i = 0; i + 1 < vertices.size(); ++i) length += (mesh.points[vertices[i + 1]] - mesh.points[vertices[i]]).norm();
   int stops = 0;
@@ -100,9 +100,10 @@ int wished_intervals(const SurfaceMesh& mesh, const Partition::Edge& edge, const
     left += before.norm();
     length -= before.norm();
     const int h = edge.halfedges[i - 1], g = edge.halfedges[i];
-    const bool next_face = mesh.triangle_face[h / 3] != mesh.triangle_face[g / 3] ||
-                           mesh.triangle_face[mesh.opposite[h] / 3] != mesh.triangle_face[mesh.opposite[g] / 3];
-    const bool ends = own == 2 && next_face && left >= shortest && length >= shortest;
+    const int next_faces = (mesh.triangle_face[h / 3] != mesh.triangle_face[g / 3]) +
+                           (mesh.triangle_face[mesh.opposite[h] / 3] != mesh.triangle_face[mesh.opposite[g] / 3]);
+    const double shortest = (next_faces == 2 ? kShortestPieceAcross : kShortestPiece) * size;
+    const bool ends = own == 2 && next_faces > 0 && left >= shortest && length >= shortest;
     if (!kink && own != 1 && sharp_degree[vertices[i]] <= own && !ends) continue;
     ++stops;
     left = 0;

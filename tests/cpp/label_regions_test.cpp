@@ -171,7 +171,7 @@ TEST_CASE("... not where the line runs on over a tip, which needs it between two
   CHECK(tip.cone == 6);
   CHECK(tip.least == doctest::Approx(45).epsilon(1e-4));
   CHECK(tip.most == doctest::Approx(45).epsilon(1e-4));
-  CHECK(sites_of_hole(block(57), centre, 4).cone == 4);  // no node half way: they are joined
+  CHECK(sites_of_hole(block(57), centre, 1).cone == 4);  // three intervals have no middle: the usual turn
 }
 
 TEST_CASE("chamfers that meet in mitres go with the top, where the edges below them can be followed") {

@@ -128,9 +128,10 @@ def parted_drill(radius, height, degrees, tip):
 
 
 def parted_holes():
-    """A block with two holes right through and two blind ones; the halves of all but the smallest are parted near the diagonals."""
-    body = Part.makeBox(120, 30, 24)
-    for x, radius, bottom, degrees, tip in ((15, 5.4, 0, 30, 0), (45, 4, 9, 30, 2.4), (75, 5.4, 9, 37, 3.2), (105, 2.4, 0, 0, 0)):
+    """A block with two holes right through and three blind ones, the halves of most parted near the diagonals."""
+    body = Part.makeBox(150, 30, 24)
+    for x, radius, bottom, degrees, tip in ((15, 5.4, 0, 30, 0), (45, 4, 9, 30, 2.4), (75, 5.4, 9, 37, 3.2), (105, 2.4, 0, 0, 0),
+                                            (135, 2.4, 9, 16, 1.4)):
         drill = parted_drill(radius, 24 - bottom, degrees, tip)
         drill.translate(V(x, 15, bottom))
         body = body.cut(drill)
