@@ -23,6 +23,7 @@ constexpr double kShortestPiece = 0.4;        // of an arc, in h, that a mesh ed
 constexpr double kShortestPieceAcross = 0.1;  // ... where faces end on both sides of it
 constexpr double kPiecesCost = 20;            // a sharp CAD edge inside a chart without a line of its own
 constexpr double kPositionCost = 0.02, kPositionCostLarge = 0.05;
+constexpr double kUnevenCost = 10;      // a side of a round chart ring that lies otherwise to a concentric one than its other sides
 constexpr double kTieBreak = 0.01;      // a target of n + 1/2 goes up everywhere
 constexpr double kLargestTarget = 1e6;  // intervals; beyond, no lattice can be built anyway
 constexpr int kNoMinimum = std::numeric_limits<int>::min() / 4;
@@ -194,6 +195,7 @@ Quantizer::Quantizer(const SurfaceMesh& mesh, const FeatureShape& shape, const s
   add_arcs(mesh);
   add_orders(orders);
   add_positions();
+  add_concentric(mesh);
 }
 
 void Quantizer::add_arcs(const SurfaceMesh& mesh) {
@@ -239,6 +241,17 @@ void Quantizer::add_positions() {
   }
 }
 
+void Quantizer::add_concentric(const SurfaceMesh& mesh) {
+  for (const Concentric& found : find_concentric(mesh, shape_, options_.size)) {
+    ConcentricUnknowns group{{(found.axis + 1) % 3, (found.axis + 2) % 3}, {}};
+    for (const Ring& ring : found.rings) {
+      group.rings.emplace_back();
+      for (int k = 0; k < 2; ++k) group.rings.back()[k] = {unknown_[ring.low[k]], unknown_[ring.high[k]]};
+    }
+    concentric_.push_back(std::move(group));
+  }
+}
+
 Polycube Quantizer::solve(const std::vector<Separation>& separations, Context& context) const {
   std::array<std::vector<DifferenceTerm>, 3> terms = terms_;
   for (const auto& s : separations)
@@ -258,6 +271,9 @@ Polycube Quantizer::solve(const std::vector<Separation>& separations, Context& c
       throw PolycubeError(std::string("the feature lines along the ") + "XYZ"[a] + " axis run in a circle", shape_, std::move(charts));
     }
     u[a] = std::move(solution.x);
+  }
+  for (const auto& group : concentric_) make_concentric(group, std::llround(kTermScale * kUnevenCost), terms, u);
+  for (int a = 0; a < 3; ++a) {
     if (count_[a] == 0) continue;
     const int least = *std::min_element(u[a].begin(), u[a].begin() + count_[a]);
     for (int& x : u[a]) x -= least;

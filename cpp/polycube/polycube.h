@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/context.h"
+#include "polycube/concentric.h"
 #include "polycube/difference_lp.h"
 #include "polycube/orders.h"
 #include "shape/feature_shape.h"
@@ -44,7 +45,8 @@ struct PolycubeError : MeshingError {
 
 /// Integer coordinates as three difference-constraint LPs solved exactly by network simplex (design 3.5, experiments A8).
 /// Hard: delta u >= minimum_intervals along every arc's sign; charts of one axis that meet at a corner are equal.
-/// Soft: arc lengths; orders and gaps of `orders`; `separations` (dearer than anything but never infeasible); positions.
+/// Soft: arc lengths; orders and gaps of `orders`; `separations` (dearer than anything but never infeasible); positions; round
+/// charts about one line even to each other (concentric.h).
 /// Made once for a feature shape, then solved with more and more separations.
 class Quantizer {
  public:
@@ -58,6 +60,7 @@ class Quantizer {
   void add_arcs(const SurfaceMesh& mesh);
   void add_orders(const std::vector<ChartOrder>& orders);
   void add_positions();
+  void add_concentric(const SurfaceMesh& mesh);
 
   const FeatureShape& shape_;
   QuantizeOptions options_;
@@ -66,6 +69,7 @@ class Quantizer {
   std::array<int, 3> count_{0, 0, 0};                // unknowns per axis; one more is the origin
   std::array<std::vector<DifferenceTerm>, 3> terms_;
   std::array<std::vector<int>, 3> term_arc_;  // per term: the arc of a hard one, -1 otherwise (shorter than the terms: the rest is -1)
+  std::vector<ConcentricUnknowns> concentric_;
 };
 
 /// One solution, sampling its own orders.

@@ -149,6 +149,83 @@ TEST_CASE("a sharp arc gets a line where one of its CAD faces ends, unless a pie
   }
 }
 
+TEST_CASE("concentric rings: made even when that is not too dear, and left as they are when it is") {
+  // Two rings, on both axes the unknowns 0..1 and 2..3; 7.2 and 8.1 intervals wide.
+  const ConcentricUnknowns group{{0, 1}, {{{{0, 1}, {0, 1}}}, {{{2, 3}, {2, 3}}}}};
+  const auto terms_for = [](double inner, double outer, bool fixed) {
+    std::vector<DifferenceTerm> list;
+    for (const auto& [low, high, width] : {std::make_tuple(0, 1, inner), std::make_tuple(2, 3, outer)}) {
+      add_convex_terms(list, low, high, width, 1, [w = width](int d) { return std::abs(d - w); });
+      if (!fixed) continue;
+      list.push_back({low, high, static_cast<int>(std::lround(width)), kHardTerm});
+      list.push_back({high, low, -static_cast<int>(std::lround(width)), kHardTerm});
+    }
+    list.push_back({2, 0, 0, 1});  // the outer ring holds the inner one
+    list.push_back({1, 3, 0, 1});
+    return list;
+  };
+  const auto solved = [&](double inner, double outer, bool fixed, double cost) {
+    const auto list = terms_for(inner, outer, fixed);
+    std::array<std::vector<DifferenceTerm>, 3> terms{list, list, {}};
+    const auto x = solve_differences(4, list).x;
+    std::array<std::vector<int>, 3> both{x, x, {}};
+    make_concentric(group, std::llround(kTermScale * cost), terms, both);
+    CHECK(both[0][3] - both[0][2] == both[1][3] - both[1][2]);
+    return both[0];
+  };
+  const auto width = [](const std::vector<int>& x, int ring) { return x[2 * ring + 1] - x[2 * ring]; };
+  const auto concentric = [](const std::vector<int>& x) { return x[0] + x[1] == x[2] + x[3]; };
+  const auto free = solved(7.2, 8.1, false, 0);
+  CHECK(width(free, 0) == 7);
+  CHECK(width(free, 1) == 8);
+  const auto even = solved(7.2, 8.1, false, 10);
+  CHECK(concentric(even));
+  CHECK(width(even, 0) == 8);  // cheaper than 7 and 9, 7 and 7 or 6 and 8
+  CHECK(width(even, 1) == 8);
+  const auto odd = solved(6.8, 7.6, false, 10);
+  CHECK(concentric(odd));
+  CHECK(width(odd, 0) == 7);
+  CHECK(width(odd, 1) == 7);
+  CHECK_FALSE(concentric(solved(7.2, 8.1, true, 10)));  // what must not change does not
+}
+
+TEST_CASE("cylinders on one axis get squares that lie inside each other or in the same planes") {
+  // Radii 8, 12 and 9; with h = 1.75 their strips are 7.2, 10.8 and 8.1 h wide.
+  const auto radius = [](const Vec3& p) { return std::max(std::abs(p[0]), std::abs(p[1])); };
+  for (const double x : {0.0, 0.5}) {  // the last cylinder on the axis, and beside it
+    auto surface =
+        voxel_surface(unite(unite(box({-8, -8, 0}, {8, 8, 10}), box({-12, -12, 10}, {12, 12, 18})), box({-9, -9, 18}, {9, 9, 28})), 1);
+    SurfaceMesh& mesh = surface.mesh;
+    std::vector<Vec3> centre(mesh.points.size(), Vec3::Zero());
+    for (int i = 0; i < mesh.point_count(); ++i)
+      if (mesh.points[i][2] > 18.5 || (mesh.points[i][2] > 17.5 && radius(mesh.points[i]) < 9.5)) centre[i][0] = x;
+    for (int i = 0; i < mesh.point_count(); ++i) {
+      Vec3& p = mesh.points[i];
+      const double r = std::hypot(p[0], p[1]);
+      if (r > 0) p.head<2>() *= radius(p) / r;
+      p += centre[i];
+    }
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+      for (int k = 0; k < 3; ++k) {
+        const int v = mesh.triangles[t][k];
+        if (axis_of(surface.label[t]) != 2)
+          mesh.corner_normals[3 * t + k] = Vec3(mesh.points[v][0] - centre[v][0], mesh.points[v][1], 0).normalized();
+      }
+    const auto shape = make_feature_shape(surface);
+    const auto groups = find_concentric(mesh, shape, 1.75);
+    REQUIRE(groups.size() == 1);
+    CHECK(groups[0].axis == 2);
+    REQUIRE(groups[0].rings.size() == (x == 0 ? 3 : 2));
+    if (x != 0) continue;
+    const Polycube polycube = solve(surface, 1.75);
+    const auto& rings = groups[0].rings;
+    for (std::size_t i = 1; i < rings.size(); ++i)
+      for (int k = 0; k < 2; ++k)
+        CHECK(polycube.coordinate[rings[i].low[k]] + polycube.coordinate[rings[i].high[k]] ==
+              polycube.coordinate[rings[0].low[k]] + polycube.coordinate[rings[0].high[k]]);
+  }
+}
+
 TEST_CASE("the same input gives the same polycube") {
   auto surface = voxel_surface(staircase(), 3);
   deform(surface.mesh, [](const Vec3& p) { return Vec3(1.37 * p.x() + 0.1 * p.z(), 0.77 * p.y(), 1.21 * p.z()); });
