@@ -75,11 +75,12 @@ SheetTrial smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shap
                               int& vain) {
   Run& run = task.run;
   const Geometry& geometry = task.part.geometry();
-  const auto mesh_without = [&](const SheetNames& without) {
+  const auto mesh_without = [&](const SheetNames& without, bool run_through) {
     SheetOptions sheets;
     sheets.size = run.options.size;
     sheets.max_sheets = run.options.sheets ? sheets.max_sheets : 0;
     sheets.without = without;
+    sheets.run_through = run_through;
     SmoothOptions smoothing;
     smoothing.size = run.options.size;
     smoothing.threads = run.options.threads;
@@ -88,8 +89,8 @@ SheetTrial smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shap
     trial.mesh = fitted;
     trial.sheets = insert_sheets(trial.mesh, shape, geometry, sheets, run.context);
     trial.sheets.taken_back = static_cast<int>(without.size());
-    if (without.empty()) run.result.mesh = trial.mesh;
-    if (without.empty() && run.options.sheets) run.complete();
+    if (without.empty() && run_through) run.result.mesh = trial.mesh;
+    if (without.empty() && run_through && run.options.sheets) run.complete();
     run.begin("smooth");
     trial.smoothing = smooth(trial.mesh, *geometry.projector, smoothing, run.context);
     run.context.log("with " + std::to_string(trial.sheets.inserted) + " sheets: min SJ " + std::to_string(trial.smoothing.min_sj) +

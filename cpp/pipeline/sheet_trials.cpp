@@ -12,6 +12,12 @@ namespace {
 /// A mesh whose worst element is below this is worth a second try without (or with fewer) sheets.
 constexpr double kGoodEnough = 0.5;
 
+/// Sheets that run through the part can be in each other's way.
+bool may_be_too_long(const SheetTrial& trial) {
+  const bool bad = trial.smoothing.inverted > 0 || trial.smoothing.min_sj < kGoodEnough;
+  return trial.sheets.run_through > 0 && (trial.sheets.refused > 0 || (bad && !trial.suspects.empty()));
+}
+
 }  // namespace
 
 bool is_better(const SheetTrial& a, const SheetTrial& b) {
@@ -22,11 +28,12 @@ bool is_better(const SheetTrial& a, const SheetTrial& b) {
   return a.smoothing.min_sj > b.smoothing.min_sj + kSeen;
 }
 
-SheetTrial try_sheets(const std::function<SheetTrial(const SheetNames& without)>& mesh_without, const SheetRules& rules, Context& context) {
+SheetTrial try_sheets(const MakeTrial& mesh_without, const SheetRules& rules, Context& context) {
   SheetTrial best;
   // suspects: the next one to leave out last; all: ever inserted.
   SheetNames left_out, suspects, together, all;
   bool bare = false;  // the mesh without any has been made
+  bool run_through = true;
   for (int trial = 0; trial < rules.most; ++trial) {
     SheetNames without = left_out;
     if (trial > 0) {
@@ -47,11 +54,24 @@ SheetTrial try_sheets(const std::function<SheetTrial(const SheetNames& without)>
       }
     }
     SheetTrial next;
-    const auto make = [&] { next = mesh_without(without); };
+    const auto make = [&] { next = mesh_without(without, run_through); };
     if (trial == 0 || best.smoothing.inverted > 0)
       make();
     else if (run_with_share(context, kShareForBetter, make))
       break;
+    if (trial == 0 && may_be_too_long(next) && !(next.smoothing.inverted > 0 && rules.once)) {
+      SheetTrial shorter;
+      const auto make_shorter = [&] { shorter = mesh_without(without, false); };
+      bool out_of_time = false;
+      if (next.smoothing.inverted > 0)
+        make_shorter();
+      else
+        out_of_time = run_with_share(context, kShareForBetter, make_shorter).has_value();
+      if (!out_of_time && is_better(shorter, next)) {
+        next = std::move(shorter);
+        run_through = false;
+      }
+    }
     for (const std::vector<int>& name : next.sheets.names)
       if (std::find(all.begin(), all.end(), name) == all.end()) all.push_back(name);
     if (trial > 0 && !is_better(next, best)) continue;

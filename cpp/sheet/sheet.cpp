@@ -58,14 +58,26 @@ SheetGroup join_groups(const HexComplex& complex, const SheetGroup& first, const
     const SheetGroup both = united(joined, other);
     ShrinkSet together = choose_shrink_set(complex, topology, both, options, context);
     if (!alone.refusal.empty() || !together.refusal.empty()) continue;
-    // Charts that only their conflict brought in speak against it, unless apart they come out far dearer.
+    // Charts that only their conflict would bring in speak against it: the sheet would wrap the sharp edges between those and theirs.
     const auto size = [](const ShrinkSet& x) { return std::count(x.covered.begin(), x.covered.end(), 1); };
-    const double dearer = size(together) > size(set) + size(alone) ? kConflictFactor : 1;
-    if (dearer * together.cost >= set.cost + alone.cost) continue;
+    const bool conflict = size(together) > size(set) + size(alone);
+    if (conflict && options.run_through) continue;
+    if ((conflict ? kConflictFactor : 1) * together.cost >= set.cost + alone.cost) continue;
     joined = both;
     set = std::move(together);
   }
   return joined;
+}
+
+// Would the sheet for `group`, which `first` grew to, be another one if it might end inside?
+bool could_end_inside(const HexComplex& complex, const SheetGroup& first, const std::vector<SheetGroup>& groups, const SheetGroup& group,
+                      const SheetOptions& options, Context& context) {
+  SheetOptions shorter = options;
+  shorter.run_through = false;
+  if (first.floor_chart < 0 && join_groups(complex, first, groups, shorter, context).charts != group.charts) return true;
+  const HexTopology topology = make_topology(complex, context);
+  return choose_shrink_set(complex, topology, group, options, context).inside !=
+         choose_shrink_set(complex, topology, group, shorter, context).inside;
 }
 
 }  // namespace
@@ -110,6 +122,7 @@ SheetReport insert_sheets(HexComplex& complex, const FeatureShape& shape, const 
     if (next == groups.end()) break;
     done.push_back(name_of(*next));
     const SheetGroup group = next->floor_chart >= 0 ? *next : join_groups(complex, *next, groups, options, context);
+    report.run_through += options.run_through && could_end_inside(complex, *next, groups, group, options, context);
     std::vector<int> covered;
     const int begin = complex.hex_count();
     const std::string refusal = insert_sheet(complex, shape, geometry, group, options, context, &covered);

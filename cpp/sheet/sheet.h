@@ -18,6 +18,7 @@ struct SheetOptions {
   double smooth_share = 0.3;  ///< a border between two charts is smooth when more than this share of its edges is
   double floor_angle = 140;   ///< degrees: a pocket floor's quad with a larger corner at the foot of the wall needs a sheet
   double thickness = 0.3;     ///< of the neighbouring edge, at insertion
+  bool run_through = true;    ///< a sheet all round walls of one direction runs on through the part rather than end inside like a cup
   int max_sheets = 64;        ///< insert at most so many: with 0, 1, 2, ... a caller sees what each sheet buys
   std::vector<std::vector<int>> without;  ///< names of sheets (SheetReport::names) that are not to be inserted
 };
@@ -36,6 +37,7 @@ struct SheetGroup {
 
 struct SheetReport {
   int inserted = 0, refused = 0;
+  int run_through = 0;                         ///< inserted or refused: would be others if SheetOptions::run_through were false
   int taken_back = 0;                          ///< inserted at first, and left out of the mesh because it is better without (by the caller)
   std::vector<std::vector<int>> chart_groups;  ///< per inserted sheet (charts it covers; a floor: that chart)
   std::vector<std::vector<int>> names;         ///< per inserted sheet: what tells it from others, whichever of them are inserted

@@ -4,15 +4,18 @@
 #include <lemon/preflow.h>
 #include <lemon/smart_graph.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 #include "sheet/edge_angle.h"
 
 namespace hexfeature {
 namespace {
 
-constexpr long long kInnerCost = 100, kCoveredCost = 5, kBadExitCost = 3000;
+constexpr long long kInnerCost = 100, kCoveredCost = 5, kBadExitCost = 3000, kClosingCost = 10000;
+constexpr double kOneDirection = 0.87, kAcross = 0.71;  // cosines: 30 degrees, 45 degrees
 constexpr int kConflictRounds = 6;
 
 // Blocks numbered 0.. in the order of their ids; each hexahedron its own block beside a CAD edge inside a chart: that cuts blocks.
@@ -122,15 +125,48 @@ class Chooser {
     }
   }
 
+  // The direction that the group's smooth edges run along, when they all do and its charts join all round, as those of a shaft; else zero.
+  // A sheet along a part of the round alone has two rims that it would carry through the part.
+  Vec3 run_of_walls() const {
+    const auto direction = [&](const std::array<int, 2>& e) -> Vec3 {
+      return (complex_.points[e[1]] - complex_.points[e[0]]).normalized();
+    };
+    std::set<std::array<int, 2>> joined;
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for (const auto& nodes : group_.smooth_edges) {
+      spread += direction(nodes) * direction(nodes).transpose();
+      const auto& quads = topology_.find_edge(nodes[0], nodes[1])->quads;
+      const int a = complex_.quad_chart[quads[0]], b = complex_.quad_chart[quads[1]];
+      joined.insert({a, b});
+      joined.insert({b, a});
+    }
+    const bool round = std::all_of(group_.charts.begin(), group_.charts.end(), [&](int c) {
+      return std::count_if(joined.begin(), joined.end(), [&](const auto& pair) { return pair[0] == c; }) > 1;
+    });
+    if (!round || joined.empty()) return Vec3::Zero();
+    const Vec3 mean = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(2);
+    const bool one = std::all_of(group_.smooth_edges.begin(), group_.smooth_edges.end(),
+                                 [&](const auto& e) { return std::abs(direction(e).dot(mean)) > kOneDirection; });
+    return one ? mean : Vec3::Zero();
+  }
+
+  bool is_across(int side, const Vec3& run) const {
+    std::array<Vec3, 4> p;
+    for (int k = 0; k < 4; ++k) p[k] = complex_.points[complex_.hexes[side / 6][kHexFaces[side % 6][k]]];
+    return std::abs((p[2] - p[0]).cross(p[3] - p[1]).normalized().dot(run)) > kAcross;
+  }
+
   void cut(const Terminals& t, ShrinkSet& set) const {
     const int source = block_count_, sink = block_count_ + 1;
-    const long long infinite = kInnerCost * (static_cast<long long>(topology_.neighbour.size()) + 1);
+    const long long infinite = kClosingCost * (static_cast<long long>(topology_.neighbour.size()) + 1);
     std::vector<CutArc> links;
+    const Vec3 run = options_.run_through ? run_of_walls() : Vec3::Zero();
     for (int s = 0; s < static_cast<int>(topology_.neighbour.size()); ++s) {
       const int other = topology_.neighbour[s], b = block_[s / 6];
       if (other > s && block_[other / 6] != b) {
-        links.push_back({b, block_[other / 6], kInnerCost});
-        links.push_back({block_[other / 6], b, kInnerCost});
+        const long long c = is_across(s, run) ? kClosingCost : kInnerCost;
+        links.push_back({b, block_[other / 6], c});
+        links.push_back({block_[other / 6], b, c});
       } else if (other < 0 && covered(-1 - other)) {
         links.push_back({b, sink, kCoveredCost});
       }

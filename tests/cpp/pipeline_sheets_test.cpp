@@ -50,6 +50,7 @@ TEST_CASE("sheets bring round parts near the topological optimum") {
   check("boss", boss_part(), 0.5, 0.75);
   check("flange", flange_part(), 0.5, 0.75);
   check("shaft", shaft_part(), 0.5, 0.7);
+  check("stepped shaft", stepped_shaft_part(), 0.5, 0.8);
   check("pocket", pocket_part(), 0.5, 0.75);
   check("tee", tee_part(), 0.5, 0.7);
 }

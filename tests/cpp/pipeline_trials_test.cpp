@@ -45,7 +45,7 @@ struct Workshop {
   }
   SheetTrial run(const SheetRules& rules = {}) {
     Context context;
-    return try_sheets([this](const SheetNames& without) { return mesh(without); }, rules, context);
+    return try_sheets([this](const SheetNames& without, bool) { return mesh(without); }, rules, context);
   }
 };
 
@@ -126,7 +126,7 @@ TEST_CASE("when the time for more trials is used up, the mesh that is there stay
   context.deadline = Context::Clock::now() + std::chrono::hours(1);
   int asked = 0;
   const SheetTrial kept = try_sheets(
-      [&](const SheetNames&) {
+      [&](const SheetNames&, bool) {
         if (++asked > 1) {
           context.deadline = Context::Clock::now() - std::chrono::milliseconds(1);  // time flies
           context.check();
@@ -141,4 +141,49 @@ TEST_CASE("when the time for more trials is used up, the mesh that is there stay
   CHECK(asked == 2);
   CHECK(kept.smoothing.min_sj == 0.3);
   CHECK(context.deadline > Context::Clock::now() + std::chrono::minutes(59));
+}
+
+TEST_CASE("sheets that run through the part are tried shorter where one is refused or the mesh is bad at them, before any is left out") {
+  struct Made {
+    std::size_t without;
+    bool run_through;
+  };
+  std::vector<Made> made;
+  const auto run = [&](double through, double shorter, int refused, int could_be_shorter) {
+    made.clear();
+    Context context;
+    return try_sheets(
+        [&](const SheetNames& without, bool run_through) {
+          made.push_back({without.size(), run_through});
+          SheetTrial trial;
+          trial.worth.faithful = true;
+          trial.smoothing.min_sj = trial.worth.min_sj = run_through ? through : shorter;
+          trial.sheets.names = {{0}};
+          trial.sheets.inserted = 1;
+          trial.sheets.refused = run_through ? refused : 0;
+          trial.sheets.run_through = run_through ? could_be_shorter : 0;
+          trial.suspects = {{0}};
+          return trial;
+        },
+        {}, context);
+  };
+  CHECK(run(0.6, 0.7, 0, 1).smoothing.min_sj == 0.6);
+  CHECK(made.size() == 1);
+  CHECK(run(0.6, 0.7, 1, 1).smoothing.min_sj == 0.7);
+  CHECK(made.size() == 2);
+  CHECK(run(0.6, 0.7, 1, 0).smoothing.min_sj == 0.6);
+  CHECK(made.size() == 1);
+  CHECK(run(0.3, 0.6, 0, 1).smoothing.min_sj == 0.6);
+  CHECK(made.size() == 2);
+  // Worse: those that run through stay, and what is left out is left out of them.
+  CHECK(run(0.3, 0.2, 0, 1).smoothing.min_sj == 0.3);
+  REQUIRE(made.size() == 3);
+  CHECK(made[1].without == 0);
+  CHECK_FALSE(made[1].run_through);
+  CHECK(made[2].without == 1);
+  CHECK(made[2].run_through);
+  // Better, but still bad: the shorter ones are left out.
+  CHECK(run(0.3, 0.4, 0, 1).smoothing.min_sj == 0.4);
+  REQUIRE(made.size() == 3);
+  CHECK_FALSE(made[2].run_through);
 }

@@ -312,6 +312,18 @@ inline HexPart shaft_part(int n = 2) {
                          return l == 5 ? (p[2] < 1 ? 4 : 5) : (p[2] > 5 ? 7 : 6);
                        });
 }
+/// Three cylinders on one axis, of radii 1, 3 and 2 and lengths 2, 2 and 3.
+inline HexPart stepped_shaft_part(int n = 2) {
+  const auto voxels = unite(unite(box({-1, -1, 0}, {1, 1, 2}), box({-3, -3, 2}, {3, 3, 4})), box({-2, -2, 4}, {2, 2, 7}));
+  return make_hex_part(voxels, n, squares_to_circles,
+                       {cylinder(Vec3::Zero(), Vec3::UnitZ(), 1), cylinder(Vec3::Zero(), Vec3::UnitZ(), 3),
+                        cylinder(Vec3::Zero(), Vec3::UnitZ(), 2), plane(Vec3::Zero(), -Vec3::UnitZ()), plane({0, 0, 2}, -Vec3::UnitZ()),
+                        plane({0, 0, 4}, Vec3::UnitZ()), plane({0, 0, 7}, Vec3::UnitZ())},
+                       [](hexfeature::Label l, const Vec3& p) {
+                         if (l < 4) return p[2] < 2 ? 1 : p[2] < 4 ? 2 : 3;
+                         return l == 5 ? (p[2] < 1 ? 4 : 5) : (p[2] > 5 ? 7 : 6);
+                       });
+}
 /// A box without anything round.
 inline HexPart block_part(int n = 3) {
   return make_hex_part(

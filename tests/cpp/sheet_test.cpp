@@ -199,6 +199,29 @@ TEST_CASE("flange and shaft: one sheet for each cylinder, each through its own f
   CHECK(flat_edges(shaft) == 0);
 }
 
+TEST_CASE("stepped shaft: each sheet runs through the whole part, unless it may end inside where that is shorter") {
+  const int n = 2;
+  SheetOptions shorter;
+  shorter.run_through = false;
+  for (const bool run_through : {true, false}) {
+    auto shaft = stepped_shaft_part(n);
+    const SheetReport report = run(shaft, run_through ? SheetOptions{} : shorter);
+    CHECK(report.inserted == 3);
+    CHECK(report.refused == 0);
+    CHECK(report.run_through == (run_through ? 1 : 0));  // the others run through either way
+    CHECK(check_complex(shaft.complex) == "");
+    CHECK(flat_edges(shaft) == 0);
+    // Round the narrow end's square, 8 n edges, along the part's 7 n layers; or the 2 n of that end, n under it and its square.
+    const auto& faces = shaft.complex.quad_face;
+    const int narrow = shaft.complex.quad_chart[std::find(faces.begin(), faces.end(), 1) - faces.begin()];
+    for (std::size_t i = 0; i < report.hexes.size(); ++i) {
+      const auto& charts = report.chart_groups[i];
+      if (std::find(charts.begin(), charts.end(), narrow) != charts.end())
+        CHECK(report.hexes[i][1] - report.hexes[i][0] == (run_through ? 8 * n * 7 * n : 8 * n * 4 * n + 2 * n * 2 * n));
+    }
+  }
+}
+
 TEST_CASE("tee: a sheet along the main pipe, under the branch; another along the branch") {
   auto part = tee_part();
   CHECK(check_complex(part.complex) == "");

@@ -186,6 +186,17 @@ def test_one_attempt_made_the_mesh(tmp_path):
     assert all(a["made_the_mesh"] or a["reason"] for a in attempts)
 
 
+@pytest.mark.parametrize("factor", [0.8, 1, 1.25])
+def test_turned_shaft_near_the_optimum(tmp_path, factor):
+    """Squares of cylinders on one axis, and the sheets along them, fit whatever the sizes; 0.866 is the best there is."""
+    draw = Path(__file__).resolve().parents[1] / "parts" / "make_parts.py"
+    subprocess.run(["/usr/bin/python3", str(draw), str(tmp_path), "shaft"], check=True, capture_output=True)
+    report = hexfeature.mesh(tmp_path / "shaft.step", size=3.5 * factor).report
+    assert report["method"] == "feature-line"
+    assert report["quality"]["min_scaled_jacobian"] > 0.84
+    assert report["sheets"]["refused"] == 0
+
+
 @pytest.mark.parametrize("asked", [1, 2, 3])
 def test_what_the_callers_question_throws_comes_back(parts, asked):
     """Also from OpenCASCADE's own threads, which must not throw."""
