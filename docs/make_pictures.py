@@ -205,6 +205,11 @@ def draw_steps(part, size, scratch):
     hexfeature.mesh(scratch / "corner_cone.step", size=1.5, method="feature-line").write(scratch / "turns.vtk")
     render.draw(scratch / "turns.vtk", PICTURES / "free-turns.png", "cad_face", size=SIZE, colours=COLOURS, view=(0.6, 1.0, 1.6))
 
+    # Second looks: the border of a fillet that the first mesh does not cover.
+    subprocess.run(["/usr/bin/python3", str(draw), str(scratch), "hub"], check=True, capture_output=True)
+    hexfeature.mesh(scratch / "hub.step", size=4.6, method="feature-line").write(scratch / "hub.vtk")
+    render.draw(scratch / "hub.vtk", PICTURES / "recover.png", "cad_face", size=SIZE, colours=COLOURS, view=(0.3, -0.5, 1.0))
+
 
 GALLERY = """# Gallery
 

@@ -301,8 +301,24 @@ skalierte Jacobi-Zahl: schlechteste %(worst)s, mittlere %(mean)s</translation>
       <translation>%1 Hexaeder</translation>
     </message>
     <message>
+      <source>%1 points drawn to gaps</source>
+      <translation>%1 Punkte zu Lücken gezogen</translation>
+    </message>
+    <message>
+      <source>%1 points taken off CAD edges, inverted %2</source>
+      <translation>%1 Punkte von CAD-Kanten gelöst, umgestülpt %2</translation>
+    </message>
+    <message>
+      <source>%1 quads cover another CAD face better</source>
+      <translation>%1 Vierecke decken eine andere CAD-Fläche besser ab</translation>
+    </message>
+    <message>
       <source>%1 refused</source>
       <translation>%1 abgelehnt</translation>
+    </message>
+    <message>
+      <source>%1 runs of points bound to CAD edges</source>
+      <translation>%1 Punktfolgen an CAD-Kanten gebunden</translation>
     </message>
     <message>
       <source>%1 sites, %2 expansions, %3 label sets scored, %4 filled</source>
@@ -1201,10 +1217,6 @@ skalierte Jacobi-Zahl: schlechteste %(worst)s, mittlere %(mean)s</translation>
       <translation>O-Gitter-Schichten einfügen, wo Blockränder auf glatter Oberfläche liegen</translation>
     </message>
     <message>
-      <source>insisting gave up in step %1</source>
-      <translation>das Beharren auf Kanten gab auf im Schritt %1</translation>
-    </message>
-    <message>
       <source>install %1, or write .vtk, .inp or .unv</source>
       <translation>%1 installieren oder .vtk, .inp oder .unv schreiben</translation>
     </message>
@@ -1295,6 +1307,10 @@ skalierte Jacobi-Zahl: schlechteste %(worst)s, mittlere %(mean)s</translation>
     <message>
       <source>min SJ %1, inverted %2 of %3</source>
       <translation>kleinste SJ %1, umgestülpt %2 von %3</translation>
+    </message>
+    <message>
+      <source>more lines between %1 pairs of charts, %2 -&gt; %3 hexahedra</source>
+      <translation>mehr Linien zwischen %1 Paaren von Karten, %2 -&gt; %3 Hexaeder</translation>
     </message>
     <message>
       <source>must be a finite number</source>
@@ -1459,6 +1475,10 @@ skalierte Jacobi-Zahl: schlechteste %(worst)s, mittlere %(mean)s</translation>
     <message>
       <source>second (20 nodes)</source>
       <translation>zweite, 20 Knoten</translation>
+    </message>
+    <message>
+      <source>second look gave up in step %1</source>
+      <translation>zweiter Blick gab auf im Schritt %1</translation>
     </message>
     <message>
       <source>second order</source>

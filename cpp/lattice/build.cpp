@@ -11,10 +11,10 @@ constexpr int kMostRounds = 25;
 
 /// Solve, fill, separate what collides, again.
 Lattice fill_with_separation(const SurfaceMesh& mesh, const FeatureShape& shape, const std::vector<ChartOrder>& orders,
-                             const QuantizeOptions& options, bool one_a_round, Context& context) {
+                             const QuantizeOptions& options, const std::vector<Separation>& wanted, bool one_a_round, Context& context) {
   Lattice lattice;
   const Quantizer quantizer(mesh, shape, orders, options);
-  std::vector<Separation> separations;  // sorted
+  std::vector<Separation> separations = wanted;  // sorted
   for (int round = 1; round <= kMostRounds; ++round) {
     lattice = fill_lattice(shape, quantizer.solve(separations, context), 1, context, separations);
     lattice.report.rounds = round;
@@ -29,12 +29,13 @@ Lattice fill_with_separation(const SurfaceMesh& mesh, const FeatureShape& shape,
 
 }  // namespace
 
-Lattice build_lattice(const SurfaceMesh& mesh, const FeatureShape& shape, const QuantizeOptions& options, Context& context) {
-  return build_lattice(mesh, shape, sample_axis_rays(mesh, ray_count(mesh, options), context), options, context);
+Lattice build_lattice(const SurfaceMesh& mesh, const FeatureShape& shape, const QuantizeOptions& options, Context& context,
+                      const std::vector<Separation>& wanted) {
+  return build_lattice(mesh, shape, sample_axis_rays(mesh, ray_count(mesh, options), context), options, context, true, wanted);
 }
 
 Lattice build_lattice(const SurfaceMesh& mesh, const FeatureShape& shape, const AxisRays& rays, const QuantizeOptions& options,
-                      Context& context, bool thorough) {
+                      Context& context, bool thorough, const std::vector<Separation>& wanted) {
   Lattice first;
   int rounds = 0;
   try {
@@ -48,7 +49,7 @@ Lattice build_lattice(const SurfaceMesh& mesh, const FeatureShape& shape, const 
       for (const auto& [kept, one_a_round] :
            {std::make_pair(&orders, false), std::make_pair(&orders, true), std::make_pair(&all_orders, false)}) {
         if (one_a_round && !thorough) continue;
-        Lattice lattice = fill_with_separation(mesh, shape, *kept, finer, one_a_round, context);
+        Lattice lattice = fill_with_separation(mesh, shape, *kept, finer, wanted, one_a_round, context);
         rounds += lattice.report.rounds;
         lattice.report.rounds = rounds;
         if (lattice.report.ok) return lattice;

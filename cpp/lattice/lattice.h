@@ -36,10 +36,12 @@ Lattice fill_lattice(const FeatureShape& shape, const Polycube& polycube, int so
 
 /// quantize + fill with lazy separation: solve, fill, separate what collides, again (<= 25 rounds); should that lead nowhere,
 /// anew with one separation a round; then with the charts' positions as orders; then the same with 0.7 h and 0.5 h. Not `thorough`:
-/// only the first and the third of these. Never throws for a failed fill: the report says why.
-Lattice build_lattice(const SurfaceMesh& mesh, const FeatureShape& shape, const QuantizeOptions& options, Context& context);
+/// only the first and the third of these. `wanted` (sorted) are separations to begin with. Never throws for a failed fill: the report
+/// says why.
+Lattice build_lattice(const SurfaceMesh& mesh, const FeatureShape& shape, const QuantizeOptions& options, Context& context,
+                      const std::vector<Separation>& wanted = {});
 /// The same with rays sampled before: for a caller that tries many labels on one mesh.
 Lattice build_lattice(const SurfaceMesh& mesh, const FeatureShape& shape, const AxisRays& rays, const QuantizeOptions& options,
-                      Context& context, bool thorough = true);
+                      Context& context, bool thorough = true, const std::vector<Separation>& wanted = {});
 
 }  // namespace hexfeature

@@ -6,57 +6,11 @@
 #include <cmath>
 #include <utility>
 
-#include "mesh/triangle_tree.h"
+#include "recover/face_cover.h"
 
 namespace hexfeature {
 
 namespace {
-
-/// Points of the surface mesh that tell whether a face is covered by its own quads: its corners and what is on curved faces and edges.
-/// Along a straight tangent edge that no mesh edge follows the border between two groups may be off by an element.
-std::vector<char> telling_points(const SurfaceMesh& surface, const Geometry& geometry) {
-  std::vector<char> telling(surface.points.size(), 0);
-  for (int v = 0; v < surface.point_count(); ++v) {
-    const CadPlace& place = surface.place[v];
-    if (place.dim == 0) telling[v] = 1;
-    if (place.dim == 2) telling[v] = geometry.face(place.entity).kind != SurfaceKind::Plane;
-    if (place.dim != 1) continue;
-    const CadEdge& edge = geometry.edge(place.entity);
-    const Vec3 chord =
-        geometry.projector->edge_point(place.entity, edge.t1).point - geometry.projector->edge_point(place.entity, edge.t0).point;
-    telling[v] = edge.length - chord.norm() > 1e-6 * edge.length;
-  }
-  return telling;
-}
-
-/// Longest distance from the sampled faces to the quads of their own face, per face.
-std::vector<double> gaps(const HexComplex& mesh, const SurfaceMesh& surface, const Geometry& geometry, const Context& context) {
-  const int faces = static_cast<int>(geometry.faces->size());
-  SurfaceMesh quads;
-  quads.points = mesh.points;
-  for (std::size_t q = 0; q < mesh.quads.size(); ++q) {
-    const auto& v = mesh.quads[q];
-    quads.triangles.push_back({v[0], v[1], v[2]});
-    quads.triangles.push_back({v[0], v[2], v[3]});
-  }
-  std::vector<double> gap(faces + 1, 0);
-  if (quads.triangles.empty()) return gap;
-  context.check();
-  const TriangleTree tree(quads, context);
-  const std::vector<char> telling = telling_points(surface, geometry);
-  const auto look = [&](int face, const Vec3& p) {
-    const ClosestPoint c = tree.closest_if(p, [&](int t) { return mesh.quad_face[t / 2] == face; });
-    if (c.triangle >= 0) gap[face] = std::max(gap[face], std::sqrt(c.distance2));
-  };
-  for (int t = 0; t < surface.triangle_count(); ++t) {
-    if (t % 256 == 0) context.check();
-    const int face = surface.triangle_face[t];
-    if (face <= 0) continue;
-    for (int v : surface.triangles[t])
-      if (telling[v]) look(face, surface.points[v]);
-  }
-  return gap;
-}
 
 /// The mesh edges between the quads of two CAD faces.
 class BorderSegments {
@@ -80,10 +34,10 @@ class BorderSegments {
     std::sort(segments_.begin(), segments_.end());
   }
 
-  /// Fraction of a CAD edge that has a mesh edge between its two faces within a quarter of an element.
+  /// Fraction of a CAD edge that has a mesh edge between its two faces within a quarter of an element, none of many element sizes.
   double follow(const HexComplex& mesh, const Geometry& geometry, int id, double size) const {
     constexpr int kSamples = 40;
-    constexpr double kNear = 0.25;
+    constexpr double kNear = 0.25, kLongest = 5;
     const CadEdge& edge = geometry.edge(id);
     const std::array<int, 2> faces{std::min(edge.faces[0], edge.faces[1]), std::max(edge.faces[0], edge.faces[1])};
     const auto begin = std::lower_bound(segments_.begin(), segments_.end(), Segment{faces, {-1, -1}});
@@ -93,6 +47,7 @@ class BorderSegments {
       for (auto s = begin; s != segments_.end() && s->first == faces; ++s) {
         const Vec3& a = mesh.points[s->second[0]];
         const Vec3 e = mesh.points[s->second[1]] - a;
+        if (e.norm() > kLongest * size) continue;
         const double t = std::clamp((p - a).dot(e) / std::max(e.squaredNorm(), 1e-300), 0.0, 1.0);
         if ((a + t * e - p).norm() > kNear * size) continue;
         ++near;
@@ -151,11 +106,13 @@ Faithfulness measure_faithfulness(const HexComplex& mesh, const Geometry& geomet
   }
 
   if (surface != nullptr) {
-    constexpr double kLargestGap = 0.6;  // the samples are dense: half an element and a little
-    const std::vector<double> gap = gaps(mesh, *surface, geometry, context);
+    constexpr double kLargestGap = 0.5, kBad = 0.25;
+    const std::vector<double> gap = face_gaps(mesh, *surface, geometry, size, context);
     for (int f = 1; f <= faces; ++f) {
       result.largest_gap = std::max(result.largest_gap, gap[f]);
-      if (gap[f] > kLargestGap * size) result.faces_not_covered.push_back(f);
+      if (!(gap[f] > kLargestGap * size)) continue;
+      result.faces_not_covered.push_back(f);
+      result.uncovered += std::clamp((gap[f] / size - kLargestGap) / kBad, 0.1, 1.0);
     }
   }
   return result;

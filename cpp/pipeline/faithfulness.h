@@ -18,6 +18,7 @@ struct Faithfulness {
   std::vector<int> sharp_edges_lost;  ///< of these, the ones half an element long or more, most of which has none
   std::vector<int> corners_lost;      ///< 1-based CAD vertices where three or more sharp edges meet, without a node
   double lost_length = 0;             ///< share of the sharp edges' length that no mesh edge follows, 0..1
+  double uncovered = 0;               ///< how badly the faces not covered are: 0.1 to 1 for each, 1 for a gap of 0.75 h
   double largest_gap = 0;             ///< longest distance from a point of a CAD face to the face's own quads
   /// Nothing lost but a hundredth of the sharp edges, and no whole one (tips that no element can follow).
   bool complete() const { return faces_without_quads.empty() && faces_not_covered.empty() && edges_kept() && corners_lost.empty(); }

@@ -8,9 +8,8 @@
 #include <set>
 #include <utility>
 
-#include "base/share.h"
 #include "fit/fit.h"
-#include "pipeline/sheet_trials.h"
+#include "pipeline/second_looks.h"
 
 namespace hexfeature {
 namespace {
@@ -18,20 +17,10 @@ namespace {
 /// With another method to come, elements of all the meshes of one labelling that stay inverted before it is given up.
 constexpr int kVainWork = 12000;
 
-/// A mesh that lost this much (Worth::lost) is not mended by a few lines more.
-constexpr double kHopeless = 0.2;
-
 std::vector<int> cad_faces_of(const FeatureShape& shape, const std::vector<int>& charts) {
   std::set<int> faces;
   for (int c : charts) faces.insert(shape.charts[c].cad_faces.begin(), shape.charts[c].cad_faces.end());
   return {faces.begin(), faces.end()};
-}
-
-QuantizeOptions quantize_options(const Options& options) {
-  QuantizeOptions quantize;
-  quantize.size = options.size;
-  quantize.minimum_intervals = options.minimum_layers;
-  return quantize;
 }
 
 LabelResult label(const SurfaceMesh& surface, const Geometry& geometry, const LabelEffort& effort, Run& run) {
@@ -70,59 +59,10 @@ void require_valid(const LabelResult& labels) {
                      "try a smaller element size, or simplify the faces named", cad_faces_of(labels.shape, worst.charts));
 }
 
-/// The fitted lattice with the sheets that pay, smoothed. `vain` counts the elements of all meshes that stayed inverted.
-SheetTrial smooth_with_sheets(const HexComplex& fitted, const FeatureShape& shape, const SolidTask& task, const SheetRules& rules,
-                              int& vain) {
-  Run& run = task.run;
-  const Geometry& geometry = task.part.geometry();
-  const auto mesh_without = [&](const SheetNames& without, bool run_through) {
-    SheetOptions sheets;
-    sheets.size = run.options.size;
-    sheets.max_sheets = run.options.sheets ? sheets.max_sheets : 0;
-    sheets.without = without;
-    sheets.run_through = run_through;
-    SmoothOptions smoothing;
-    smoothing.size = run.options.size;
-    smoothing.threads = run.options.threads;
-    run.begin("sheets");
-    SheetTrial trial;
-    trial.mesh = fitted;
-    trial.sheets = insert_sheets(trial.mesh, shape, geometry, sheets, run.context);
-    trial.sheets.taken_back = static_cast<int>(without.size());
-    if (without.empty() && run_through) run.result.mesh = trial.mesh;
-    if (without.empty() && run_through && run.options.sheets) run.complete();
-    run.begin("smooth");
-    trial.smoothing = smooth(trial.mesh, *geometry.projector, smoothing, run.context);
-    run.context.log("with " + std::to_string(trial.sheets.inserted) + " sheets: min SJ " + std::to_string(trial.smoothing.min_sj) +
-                    ", inverted " + std::to_string(trial.smoothing.inverted) + " of " + std::to_string(trial.mesh.hex_count()));
-    if (trial.smoothing.inverted == 0) trial.worth = worth_of(trial.mesh, trial.smoothing, task);
-    if (trial.smoothing.inverted > 0) vain += trial.mesh.hex_count();
-    for (int s :
-         sheets_near(trial.mesh, trial.sheets, proved_scaled_jacobians(trial.mesh.points, trial.mesh.hexes), trial.smoothing.min_sj + 1e-6))
-      trial.suspects.push_back(trial.sheets.names[s]);
-    return trial;
-  };
-  return try_sheets(mesh_without, rules, run.context);
-}
-
-/// Marks the points of the elements that are not proved positive.
-std::vector<char> points_of_inverted(const HexComplex& complex) {
-  const std::vector<double> quality = proved_scaled_jacobians(complex.points, complex.hexes);
-  std::vector<char> marked(complex.points.size(), 0);
-  for (int h = 0; h < complex.hex_count(); ++h)
-    if (!(quality[h] > 0))
-      for (int v : complex.hexes[h]) marked[v] = 1;
-  return marked;
-}
-
 /// CAD edges that run inside a chart, are followed by a chain of mesh edges, and touch an inverted element or a neighbour of one:
 /// letting them go is what may make it valid. Tangent ones first: a mesh loses less without them. Sorted.
 std::vector<int> edges_to_release(const HexComplex& complex, const Geometry& geometry) {
-  const std::vector<char> near = points_of_inverted(complex);
-  std::vector<char> ring = near;
-  for (const auto& hex : complex.hexes)
-    if (std::any_of(hex.begin(), hex.end(), [&](int v) { return near[v] != 0; }))
-      for (int v : hex) ring[v] = 1;
+  const std::vector<char> ring = with_neighbours(complex, points_of_inverted(complex));
   // Charts on the two sides of each feature edge: inside a chart when they are the same.
   std::map<std::array<int, 2>, std::set<int>> charts;
   for (const auto& e : complex.feature_edges) charts[e];
@@ -153,22 +93,11 @@ std::vector<int> faces_near_inverted(const HexComplex& complex) {
   return {faces.begin(), faces.end()};
 }
 
-/// The CAD edges that a mesh should have followed and did not: the sharp ones it lost, and all borders of the faces it does not cover.
-/// Sorted.
-std::vector<int> edges_to_insist_on(const Worth& worth, const Geometry& geometry) {
-  std::vector<int> edges = worth.lost_edges;
-  for (int e = 1; e <= static_cast<int>(geometry.edges->size()); ++e)
-    for (int f : geometry.edge(e).faces)
-      if (std::binary_search(worth.lost_faces.begin(), worth.lost_faces.end(), f)) edges.push_back(e);
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return edges;
-}
-
 /// Boundary fitting, sheets and smoothing, first with free turns; where elements stay inverted with these, without. Where elements stay
 /// inverted, again without the inner CAD edges beside them, as long as that makes fewer. Throws MeshingError(NoMesh, "smooth") when some
 /// stay.
-HexComplex fit_and_smooth(const HexComplex& lattice, const SurfaceMesh& mesh, const FeatureShape& shape, const SolidTask& task) {
+SheetTrial fit_and_smooth(const MadeFrom& made_from) {
+  const auto& [task, mesh, shape, lattice] = made_from;
   Run& run = task.run;
   const Geometry& geometry = task.part.geometry();
   constexpr int kRounds = 6;
@@ -179,36 +108,14 @@ HexComplex fit_and_smooth(const HexComplex& lattice, const SurfaceMesh& mesh, co
   SheetRules rules;
   rules.another_way = run.another_way();
   int vain = 0;
-  // A mesh that is not faithful: once more, with paths of any turns for what it lost; kept when it is better.
-  const auto insist = [&](SheetTrial& best) {
-    FitOptions stubborn = fit;
-    const std::vector<int> wanted = edges_to_insist_on(best.worth, geometry);
-    std::set_difference(wanted.begin(), wanted.end(), fit.released.begin(), fit.released.end(), std::back_inserter(stubborn.insisted));
-    if (stubborn.insisted.empty()) return;
-    SheetRules quick = rules;
-    quick.once = true;
-    quick.most = 2;
-    try {
-      run_with_share(run.context, kShareForBetter, [&] {
-        run.begin("fit");
-        HexComplex complex = lattice;
-        fit_boundary(complex, mesh, shape, geometry, stubborn, run.context);
-        SheetTrial other = smooth_with_sheets(complex, shape, task, quick, vain);
-        if (is_better(other, best)) best = std::move(other);
-      });
-    } catch (const MeshingError& error) {
-      if (error.kind != Failure::NoMesh) throw;
-      run.context.log("fit: insisting gave up in step " + error.step + ": " + error.reason);
-    }
-  };
   for (int round = 1, least = std::numeric_limits<int>::max();; ++round) {
     run.begin("fit");
-    HexComplex complex = lattice;
+    HexComplex complex = lattice.complex;
     const int turned = fit_boundary(complex, mesh, shape, geometry, fit, run.context);
     run.result.mesh = complex;
     run.complete();
     rules.once = turned > 0;
-    SheetTrial best = smooth_with_sheets(complex, shape, task, rules, vain);
+    SheetTrial best = smooth_with_sheets(complex, made_from, rules, vain);
     const int inverted = best.smoothing.inverted;
     const bool in_vain = rules.another_way && vain > kVainWork;
     if (turned > 0 && inverted > 0 && !in_vain) {
@@ -216,11 +123,11 @@ HexComplex fit_and_smooth(const HexComplex& lattice, const SurfaceMesh& mesh, co
       --round;
       continue;
     }
-    if (inverted == 0 && !best.worth.faithful && best.worth.lost < kHopeless && fit.free_turns) insist(best);
-    complex = std::move(best.mesh);
-    run.result.sheets = std::move(best.sheets);
+    if (inverted == 0 && !best.worth.faithful) look_again(best, complex, made_from, fit, rules, vain);
+    run.result.sheets = best.sheets;
     run.result.smoothing = best.smoothing;
-    if (inverted == 0) return complex;
+    if (inverted == 0) return best;
+    complex = std::move(best.mesh);
     std::vector<int> released = fit.released;
     for (int e : edges_to_release(complex, geometry)) released.push_back(e);
     if (round == kRounds || in_vain || inverted >= least || released.size() == fit.released.size()) {
@@ -236,7 +143,7 @@ HexComplex fit_and_smooth(const HexComplex& lattice, const SurfaceMesh& mesh, co
 
 }  // namespace
 
-HexComplex feature_line(const SolidTask& task, const LabelEffort& effort) {
+FeatureLineMesh feature_line(const SolidTask& task, const LabelEffort& effort) {
   Run& run = task.run;
   Result& result = run.result;
   const Geometry& geometry = task.part.geometry();
@@ -263,13 +170,14 @@ HexComplex feature_line(const SolidTask& task, const LabelEffort& effort) {
   std::fill(lattice.complex.hex_solid.begin(), lattice.complex.hex_solid.end(), task.solid);
   run.complete();
 
-  HexComplex complex = fit_and_smooth(lattice.complex, mesh, shape, task);
-  result.mesh = complex;
+  SheetTrial made = fit_and_smooth({task, mesh, shape, lattice});
+  result.polycube = std::move(lattice.polycube);
+  result.mesh = made.mesh;
   run.complete();
 
   run.begin("certificate");
-  certify(complex, *geometry.projector, static_cast<int>(geometry.faces->size()), certificate_tolerance(mesh), run.context);
-  return complex;
+  certify(made.mesh, *geometry.projector, static_cast<int>(geometry.faces->size()), certificate_tolerance(mesh), run.context);
+  return {std::move(made.mesh), std::move(made.worth)};
 }
 
 }  // namespace hexfeature

@@ -11,9 +11,15 @@ struct LabelEffort {
   double max_work = LabelOptions{}.max_work;
 };
 
+/// A certified complex in the working frame, and what it is worth.
+struct FeatureLineMesh {
+  HexComplex mesh;
+  Worth worth;
+};
+
 /// The feature-line method on one solid, placed in its working frame (design, section 3; the paper's steps 3-2 to 3-7
 /// and 1-1 to 1-3): labels, feature shape, polycube, lattice, boundary fitting, O-grid sheets, smoothing. Returns a certified
 /// complex. Throws MeshingError(NoMesh) naming the step that could not go on, Stopped at Options::stop_after.
-HexComplex feature_line(const SolidTask& task, const LabelEffort& effort);
+FeatureLineMesh feature_line(const SolidTask& task, const LabelEffort& effort);
 
 }  // namespace hexfeature

@@ -14,7 +14,8 @@ constexpr int kSecondLook = 10000;
 /// With another method to come, a mesh of more elements than this that could not be untangled is not tried in another way.
 constexpr int kUntangleOnce = 5000;
 
-/// With another method to come, a mesh that lost more (Worth::lost) is not tried with other labels: they would hardly bring back all.
+/// With another method to come, a mesh that lost more (Worth::lost_at_first) is not tried with other labels: they would hardly bring back
+/// all.
 constexpr double kLostTooMuch = 0.1;
 
 struct Proposal {
@@ -63,9 +64,10 @@ Candidate mesh_by_feature_line(const SolidTask& task) {
       }
       Candidate candidate;
       candidate.method = attempt.method;
-      candidate.mesh = feature_line(task, proposal.effort);
+      FeatureLineMesh made = feature_line(task, proposal.effort);
+      candidate.mesh = std::move(made.mesh);
+      candidate.worth = std::move(made.worth);
       candidate.smoothing = result.smoothing;
-      candidate.worth = worth_of(candidate.mesh, candidate.smoothing, task);
       if (best && !candidate.worth.better_than(best->worth)) {
         not_taken(attempt);
       } else {
@@ -101,7 +103,7 @@ Candidate mesh_by_feature_line(const SolidTask& task) {
     task.record(attempt, start);
     if (hopeless) break;
     if (best && (best->worth.good() || second_chance || best->mesh.hex_count() > kSecondLook)) break;
-    if (best && !best->worth.faithful && best->worth.lost > kLostTooMuch && run.another_way()) break;
+    if (best && !best->worth.faithful && best->worth.lost_at_first > kLostTooMuch && run.another_way()) break;
   }
   if (!best) throw *first_failure;
   return std::move(*best);

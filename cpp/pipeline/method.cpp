@@ -24,12 +24,13 @@ Worth worth_of(const HexComplex& mesh, const SmoothReport& smoothing, const Soli
   Worth worth;
   worth.faithful = kept.complete();
   worth.edges_lost = !kept.edges_kept();
-  worth.lost = kept.lost_length + 0.025 * static_cast<double>(kept.faces_without_quads.size() + kept.faces_not_covered.size()) +
+  worth.lost = kept.lost_length + 0.025 * (static_cast<double>(kept.faces_without_quads.size()) + kept.uncovered) +
                0.01 * static_cast<double>(kept.corners_lost.size());
   worth.lost_edges = kept.sharp_edges_not_followed;
   worth.lost_faces = kept.faces_without_quads;
   worth.lost_faces.insert(worth.lost_faces.end(), kept.faces_not_covered.begin(), kept.faces_not_covered.end());
   std::sort(worth.lost_faces.begin(), worth.lost_faces.end());
+  worth.largest_gap = kept.largest_gap / task.run.options.size;
   worth.min_sj = smoothing.min_sj;
   worth.mean_sj = smoothing.mean_sj;
   const auto list = [](const std::vector<int>& ids) {

@@ -18,13 +18,19 @@ bool may_be_too_long(const SheetTrial& trial) {
   return trial.sheets.run_through > 0 && (trial.sheets.refused > 0 || (bad && !trial.suspects.empty()));
 }
 
+/// Of a mesh that is not faithful: what it lost, and a little for poor elements.
+double price(const SheetTrial& trial) {
+  constexpr double kPoorPrice = 0.1, kFine = 0.5;
+  return trial.worth.lost + kPoorPrice * std::max(0.0, kFine - trial.smoothing.min_sj);
+}
+
 }  // namespace
 
 bool is_better(const SheetTrial& a, const SheetTrial& b) {
   constexpr double kSeen = 0.005;
   if (a.smoothing.inverted != b.smoothing.inverted) return a.smoothing.inverted < b.smoothing.inverted;
   if (a.worth.faithful != b.worth.faithful) return a.worth.faithful;
-  if (a.smoothing.inverted == 0 && !a.worth.faithful && a.worth.lost != b.worth.lost) return a.worth.lost < b.worth.lost;
+  if (a.smoothing.inverted == 0 && !a.worth.faithful && a.worth.lost != b.worth.lost) return price(a) < price(b);
   return a.smoothing.min_sj > b.smoothing.min_sj + kSeen;
 }
 

@@ -56,6 +56,44 @@ class Polish {
     }
   }
 
+  /// Mesh edges a little shorter than they should be at least: one of their ends a little farther off, where no element pays for that much.
+  void part_close_points() {
+    constexpr double kLeast = 0.05, kSpare = 0.0005;     // of h
+    constexpr double kLoss = 0.005, kWorstLoss = 0.001;  // of the worst element there, and of the mesh
+    const double h = setting_.options.size, worst = *std::min_element(quality_.begin(), quality_.end());
+    std::vector<std::array<int, 2>> close;
+    for (int i = 0; i < mesh_.hex_count(); ++i) {
+      if (i % 4096 == 0) setting_.context.check();
+      for (const auto& e : kHexEdges) {
+        const int a = mesh_.hexes[i][e[0]], b = mesh_.hexes[i][e[1]];
+        if ((mesh_.points[b] - mesh_.points[a]).squaredNorm() < kLeast * kLeast * h * h) close.push_back({std::min(a, b), std::max(a, b)});
+      }
+    }
+    std::sort(close.begin(), close.end());
+    close.erase(std::unique(close.begin(), close.end()), close.end());
+    for (const auto& [a, b] : close) {
+      const auto move = [&](int v, int other) {
+        const Vec3 old = mesh_.points[v], way = old - mesh_.points[other];
+        const double length = way.norm();
+        if (length >= kLeast * h || setting_.held[v] != 0 || mesh_.place[v].dim == 0 || !(length > 0)) return;
+        double before = 1;
+        for (int i = begin_[v]; i < begin_[v + 1]; ++i) before = std::min(before, quality_[hexes_[i]]);
+        const double shortest = std::min(shortest_edge(v), kLeast * h), bearable = std::max(before - kLoss, worst - kWorstLoss);
+        Vec2 uv = mesh_.place[v].uv;
+        mesh_.points[v] = on_part(v, old + ((kLeast + kSpare) * h / length - 1) * way, uv);
+        const double now = (mesh_.points[v] - mesh_.points[other]).norm();
+        if (now >= kLeast * h && shortest_edge(v) >= shortest && measured_round(v, hexes_[begin_[v]], -1) >= bearable) {
+          mesh_.place[v].uv = uv;
+          for (int i = begin_[v]; i < begin_[v + 1]; ++i) quality_[hexes_[i]] = measured(hexes_[i]);
+        } else {
+          mesh_.points[v] = old;
+        }
+      };
+      move(a, b);
+      move(b, a);
+    }
+  }
+
  private:
   double measured(int h) const {
     std::array<Vec3, 8> corners;
@@ -175,7 +213,10 @@ void polish_worst(HexComplex& mesh, SmoothSetting& setting) {
   std::vector<double> quality;
   measure(mesh, setting.workers, quality);
   const double worst = quality.empty() ? 1 : *std::min_element(quality.begin(), quality.end());
-  if (worst > 0 && worst < kLimit) Polish(mesh, setting, quality).run();
+  if (!(worst > 0) || quality.empty()) return;
+  Polish polish(mesh, setting, quality);
+  if (worst < kLimit) polish.run();
+  if (!setting.options.brief) polish.part_close_points();
 }
 
 }  // namespace hexfeature

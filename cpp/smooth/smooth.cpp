@@ -87,10 +87,20 @@ std::vector<Span> curve_spans(const HexComplex& mesh, const Projector& projector
   return spans;
 }
 
+/// The whole mesh, or what lies near SmoothOptions::around.
+Patch what_moves(const HexComplex& mesh, SmoothSetting& setting) {
+  constexpr int kRings = 3;
+  if (setting.options.around.empty()) return Patch::whole(mesh, setting);
+  std::vector<char> marked(mesh.points.size(), 0);
+  for (int v : setting.options.around) marked[v] = 1;
+  const auto is_new = [&](int h) { return std::any_of(mesh.hexes[h].begin(), mesh.hexes[h].end(), [&](int v) { return marked[v] != 0; }); };
+  return Patch(mesh, points_near(mesh, kRings, is_new), setting);
+}
+
 /// Boundary points exactly onto the CAD: where a projection is not its own foot to the last digits, a few times over.
 /// Returns the largest distance left.
 double settle(HexComplex& mesh, SmoothSetting& setting) {
-  Patch all = Patch::whole(mesh, setting);
+  Patch all = what_moves(mesh, setting);
   double deviation = 0;
   for (int round = 0; round < 5; ++round) {
     deviation = all.boundary->find_feet(all.x);
@@ -123,7 +133,7 @@ SmoothReport smooth(HexComplex& mesh, const Projector& projector, const SmoothOp
   report.min_sj_before = before.min_sj;
   report.inverted_before = before.inverted;
 
-  Patch all = Patch::whole(mesh, setting);
+  Patch all = what_moves(mesh, setting);
   report.deviation = all.boundary->find_feet(all.x);
   const bool perfect = before.min_sj > 0.999 && report.deviation < 1e-9 * options.size;
   if (!perfect) {
@@ -132,7 +142,7 @@ SmoothReport smooth(HexComplex& mesh, const Projector& projector, const SmoothOp
     all.write_back(mesh);
     if (options.worst_stage) {
       lift_worst(mesh, setting);
-      if (!options.brief) lift_mean(mesh, setting);
+      if (options.around.empty() && !options.brief) lift_mean(mesh, setting);
       lift_places(mesh, setting);
       raise_minimum(mesh, setting);
       polish_worst(mesh, setting);

@@ -16,7 +16,8 @@ struct SmoothOptions {
   int threads = 2;             ///< results do not depend on it, bit for bit
   double least_target = 0.25;  ///< elements want to be no smaller than this many h
   bool brief = false;  ///< lift the mass of poor elements only a little, the mean not at all: where most are poor that takes the most time
-  std::vector<int> held;  ///< points that stay where they are; they must lie on their CAD entity already
+  std::vector<int> held;    ///< points that stay where they are; they must lie on their CAD entity already
+  std::vector<int> around;  ///< a smoothed mesh in which only these points are new: only what is near them moves; empty: everything
 };
 
 struct SmoothReport {

@@ -453,3 +453,31 @@ TEST_CASE("the mean is lifted as far as the worst element allows") {
   CHECK(after.min_sj < 0.6);
   CHECK(after.sum_sj > before.sum_sj + 0.02 * c.hex_count());
 }
+
+TEST_CASE("around new points only their neighbourhood moves") {
+  const Vec3 size(12, 3, 3);
+  const BoxProjector projector(size);
+  HexComplex c = box_mesh({12, 3, 3}, size);
+  const HexComplex before = c;
+  // One point of the top is pushed towards another.
+  int pushed = -1;
+  for (int v = 0; v < c.point_count(); ++v)
+    if (c.points[v] == Vec3(2, 1, 3)) pushed = v;
+  REQUIRE(pushed >= 0);
+  c.points[pushed] = Vec3(2.7, 1.7, 3);
+  SmoothOptions options = sized(1);
+  options.around = {pushed};
+  const SmoothReport report = smooth(c, projector, options, context);
+  CHECK(report.inverted == 0);
+  CHECK(report.min_sj > 0.99);
+  CHECK((c.points[pushed] - before.points[pushed]).norm() < 0.05);
+  for (int v = 0; v < c.point_count(); ++v)
+    if (before.points[v].x() > 8) CHECK(std::memcmp(&c.points[v], &before.points[v], sizeof(Vec3)) == 0);
+  // Held, it stays where it is, and the others make room.
+  HexComplex held = before;
+  held.points[pushed] = Vec3(2.3, 1.2, 3);
+  options.held = {pushed};
+  const SmoothReport with = smooth(held, projector, options, context);
+  CHECK(with.inverted == 0);
+  CHECK(held.points[pushed] == Vec3(2.3, 1.2, 3));
+}

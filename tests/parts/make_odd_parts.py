@@ -1,12 +1,13 @@
 #!/usr/bin/python3
 # HexFeatureWB - LGPL-2.1-or-later
-"""Parts as users send them: far away, tiny, huge, in other units, inside out, hollow, with stray faces, slivers, tiny edges, several
-solids.
+"""Parts as users send them: far away, tiny, huge, in other units, inside out, hollow, with stray faces, slivers, tiny edges, narrow
+chamfers, several solids.
 
     /usr/bin/python3 tests/parts/make_odd_parts.py OUT_DIR [NAME ...]
 
 Leaves OUT_DIR/NAME.step or .brep. Most are one plate with a hole, 40 x 40 x 10, in another guise, so that its mesh must be the same.
 """
+import math
 import os
 import re
 import sys
@@ -138,6 +139,24 @@ def parted_holes():
     return body
 
 
+def chamfered():
+    """A block with narrow chamfers along all its edges: eight corner triangles, narrow strips between them."""
+    block = Part.makeBox(80, 50, 20)
+    return block.makeChamfer(2, block.Edges)
+
+
+def hub():
+    """A flange whose hub has a fillet that runs out between the bolt holes."""
+    shape = Part.makeCylinder(40, 10).fuse(Part.makeCylinder(15, 35)).removeSplitter()
+    foot = [e for e in shape.Edges if e.Curve.TypeId == "Part::GeomCircle" and abs(e.Curve.Radius - 15) < 1e-6
+            and abs(e.CenterOfMass.z - 10) < 1e-6]
+    shape = shape.makeFillet(4, foot).cut(Part.makeCylinder(8, 35))
+    for k in range(4):
+        turn = k * math.pi / 2 + 0.3
+        shape = shape.cut(Part.makeCylinder(4, 10, V(28 * math.cos(turn), 28 * math.sin(turn), 0)))
+    return shape
+
+
 #: name -> (function, ending)
 SHAPES = {
     "plate": (plate, "step"), "far": (far, "step"), "far_turned": (far_turned, "step"),
@@ -147,7 +166,8 @@ SHAPES = {
     "shell_inside_out": (shell_inside_out, "brep"),
     "one_face_turned": (one_face_turned, "brep"), "tiny_edge": (tiny_edge, "step"), "sliver": (sliver, "step"),
     "touching": (touching, "step"), "loose_faces": (loose_faces, "brep"), "torn": (torn, "brep"),
-    "corner_cone": (corner_cone, "step"), "parted_holes": (parted_holes, "step"),
+    "corner_cone": (corner_cone, "step"), "parted_holes": (parted_holes, "step"), "chamfered": (chamfered, "step"),
+    "hub": (hub, "step"),
 }
 
 

@@ -103,3 +103,15 @@ def test_holes_in_two_halves(odd):
     quads = {face: mesh.quads[mesh.quad_face == face] for face in np.unique(mesh.quad_face)}
     tips = [len(q) for q in quads.values() if 0 < mesh.points[q][..., 2].min() and mesh.points[q][..., 2].max() < 9 + 1e-6]
     assert len(tips) == 6 and tips[0::2] == tips[1::2]
+
+
+@pytest.mark.parametrize("name, size", [("chamfered", 3.2), ("hub", 4.6)])
+def test_what_the_first_mesh_loses_is_brought_back(odd, name, size):
+    """Corner triangles and strips narrower than an element need lattice lines of their own; where a fillet ends between bolt holes, points
+    are bound to its border after smoothing."""
+    mesh = hexfeature.mesh(odd / f"{name}.step", size=size, method="feature-line")
+    kept = mesh.report["faithfulness"]
+    assert kept["faces_without_quads"] == kept["sharp_edges_not_followed"] == []
+    assert set(mesh.quad_face) == set(range(1, mesh.report["part"]["cad_faces"] + 1))
+    assert worst(mesh) > 0.4
+    assert hexfeature.mesh(odd / f"{name}.step", size=size).method == "feature-line"
