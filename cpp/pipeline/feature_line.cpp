@@ -14,6 +14,9 @@
 namespace hexfeature {
 namespace {
 
+/// With another method to come, elements that may be folded by the fit alone: sheets and smoothing hardly ever put so many right.
+constexpr int kFoldedByFit = 120;
+
 /// With another method to come, elements of all the meshes of one labelling that stay inverted before it is given up.
 constexpr int kVainWork = 12000;
 
@@ -93,6 +96,11 @@ std::vector<int> faces_near_inverted(const HexComplex& complex) {
   return {faces.begin(), faces.end()};
 }
 
+MeshingError folded_for_good(const HexComplex& complex, int count) {
+  return {Failure::NoMesh, "smooth", std::to_string(count) + " elements stay inverted or folded",
+          "try another element size, or simplify the faces named", faces_near_inverted(complex)};
+}
+
 /// Boundary fitting, sheets and smoothing, first with free turns; where elements stay inverted with these, without. Where elements stay
 /// inverted, again without the inner CAD edges beside them, as long as that makes fewer. Throws MeshingError(NoMesh, "smooth") when some
 /// stay.
@@ -114,6 +122,11 @@ SheetTrial fit_and_smooth(const MadeFrom& made_from) {
     const int turned = fit_boundary(complex, mesh, shape, geometry, fit, run.context);
     run.result.mesh = complex;
     run.complete();
+    if (rules.another_way) {
+      const std::vector<double> quality = proved_scaled_jacobians(complex.points, complex.hexes);
+      const auto folded = std::count_if(quality.begin(), quality.end(), [](double q) { return !(q > 0); });
+      if (folded > kFoldedByFit) throw folded_for_good(complex, static_cast<int>(folded));
+    }
     rules.once = turned > 0;
     SheetTrial best = smooth_with_sheets(complex, made_from, rules, vain);
     const int inverted = best.smoothing.inverted;
@@ -132,8 +145,7 @@ SheetTrial fit_and_smooth(const MadeFrom& made_from) {
     for (int e : edges_to_release(complex, geometry)) released.push_back(e);
     if (round == kRounds || in_vain || inverted >= least || released.size() == fit.released.size()) {
       run.result.mesh = complex;
-      throw MeshingError(Failure::NoMesh, "smooth", std::to_string(inverted) + " elements stay inverted or folded",
-                         "try another element size, or simplify the faces named", faces_near_inverted(complex));
+      throw folded_for_good(complex, inverted);
     }
     least = inverted;
     std::sort(released.begin(), released.end());
