@@ -19,6 +19,9 @@ namespace {
 /// A mesh that lost more (Worth::lost) is not mended by a few lines more.
 constexpr double kHopeless = 0.4;
 
+/// What lost more than this lacks lines first of all.
+constexpr double kMuch = 0.2;
+
 /// With another method to come, lines more may make so many times as many elements, and a fit of any turns brings back this much.
 constexpr double kMostGrowth = 2, kInsistBelow = 0.1;
 
@@ -70,7 +73,7 @@ class SecondLooks {
 
   void run() {
     const double at_first = best_.smoothing.min_sj;
-    look([&] { follow_late(); });
+    if (best_.worth.lost < kMuch) look([&] { follow_late(); });
     look([&] { draw(); });
     bool refined = false;
     look([&] { refined = refine(); });

@@ -12,6 +12,9 @@ namespace {
 /// A mesh whose worst element is below this is worth a second try without (or with fewer) sheets.
 constexpr double kGoodEnough = 0.5;
 
+/// Elements of all the meshes that are made to better one that is sound and keeps the part.
+constexpr int kMostToBetter = 8000;
+
 /// Sheets that run through the part can be in each other's way.
 bool may_be_too_long(const SheetTrial& trial) {
   const bool bad = trial.smoothing.inverted > 0 || trial.smoothing.min_sj < kGoodEnough;
@@ -40,7 +43,9 @@ SheetTrial try_sheets(const MakeTrial& mesh_without, const SheetRules& rules, Co
   SheetNames left_out, suspects, together, all;
   bool bare = false;  // the mesh without any has been made
   bool run_through = true;
+  int work = 0;
   for (int trial = 0; trial < rules.most; ++trial) {
+    if (best.worth.good() && work >= kMostToBetter) break;
     SheetNames without = left_out;
     if (trial > 0) {
       if (suspects.empty()) suspects.swap(together);
@@ -78,6 +83,7 @@ SheetTrial try_sheets(const MakeTrial& mesh_without, const SheetRules& rules, Co
         run_through = false;
       }
     }
+    if (trial > 0) work += next.mesh.hex_count();
     for (const std::vector<int>& name : next.sheets.names)
       if (std::find(all.begin(), all.end(), name) == all.end()) all.push_back(name);
     if (trial > 0 && !is_better(next, best)) continue;

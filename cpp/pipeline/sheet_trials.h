@@ -37,8 +37,8 @@ using MakeTrial = std::function<SheetTrial(const SheetNames& without, bool run_t
 /// worst element lies at sheets, again without one of these, the last inserted first, then without all of them, and the better mesh is
 /// kept. What is far from every sheet is not their doing: then nothing is tried, but a mesh with a bad element (Worth::sound) is made once
 /// without any sheet. Where elements stay inverted, once without all the sheets there: such a mesh is seldom saved, and
-/// each trial of it is dear. Ends early when time or memory for more trials is used up and there is a mesh. Lets through what
-/// `mesh_without` throws.
+/// each trial of it is dear. A large mesh that is good already is not tried often. Ends early when time or memory for more trials is used
+/// up and there is a mesh. Lets through what `mesh_without` throws.
 SheetTrial try_sheets(const MakeTrial& mesh_without, const SheetRules& rules, Context& context);
 
 }  // namespace hexfeature
