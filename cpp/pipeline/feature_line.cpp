@@ -2,7 +2,6 @@
 #include "pipeline/feature_line.h"
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -125,7 +124,15 @@ SheetTrial fit_and_smooth(const MadeFrom& made_from) {
     if (rules.another_way) {
       const std::vector<double> quality = proved_scaled_jacobians(complex.points, complex.hexes);
       const auto folded = std::count_if(quality.begin(), quality.end(), [](double q) { return !(q > 0); });
-      if (folded > kFoldedByFit) throw folded_for_good(complex, static_cast<int>(folded));
+      if (folded > kFoldedByFit && turned > 0) {
+        fit.free_turns = false;
+        --round;
+        continue;
+      }
+      if (folded > kFoldedByFit) {
+        run.begin("smooth");  // which would not put that right
+        throw folded_for_good(complex, static_cast<int>(folded));
+      }
     }
     rules.once = turned > 0;
     SheetTrial best = smooth_with_sheets(complex, made_from, rules, vain);

@@ -80,7 +80,7 @@ class SecondLooks {
     if (refined) look([&] { follow_late(); });
     if (refined) look([&] { draw(); });
     if (fit_.free_turns && (!quick_.another_way || best_.worth.lost < kInsistBelow)) look([&] { insist(); });
-    if (!bound_.empty() && best_.smoothing.min_sj < kPoorer * at_first) spend([&] { smooth_all(); });
+    if (moved_ && !used_up_ && best_.smoothing.min_sj < kPoorer * at_first) spend([&] { smooth_all(); });
   }
 
  private:
@@ -89,11 +89,12 @@ class SecondLooks {
   double size() const { return run_state().options.size; }
 
   void look(const std::function<void()>& work) {
-    if (!best_.worth.faithful) spend(work);
+    if (!best_.worth.faithful && !used_up_) spend(work);
   }
   void spend(const std::function<void()>& work) {
     try {
-      run_with_share(context(), kShareForBetter, work);
+      // When a share of the time or all memory is used up, the rest is for what must still be done with the mesh that is there.
+      used_up_ = run_with_share(context(), kShareForBetter, work).has_value();
     } catch (const MeshingError& error) {
       if (error.kind != Failure::NoMesh) throw;
       context().log("second look gave up in step " + error.step + ": " + error.reason);
@@ -123,7 +124,7 @@ class SecondLooks {
       smooth_trial(other, from_.task, false, points, held_);
       const double least = bearable();
       if (take(other, least)) {
-        bound_.insert(bound_.end(), points.begin(), points.end());
+        moved_ = true;
         return;
       }
       // Of the poor ones the worst first: their neighbours may be well without them.
@@ -154,7 +155,7 @@ class SecondLooks {
       else if (!take(other, least))
         continue;
       held_ = held;
-      bound_.insert(bound_.end(), drawn.begin(), drawn.end());
+      moved_ = true;
     }
   }
 
@@ -190,7 +191,7 @@ class SecondLooks {
     SheetTrial other = smooth_with_sheets(complex, from_, quick_, vain_);
     if (!take(other, 0)) return false;
     held_.clear();
-    bound_.clear();
+    moved_ = false;
     return true;
   }
 
@@ -208,7 +209,9 @@ class SecondLooks {
   const FitOptions& fit_;
   SheetRules quick_;
   int& vain_;
-  std::vector<int> held_, bound_;  // points of the best mesh
+  std::vector<int> held_;  // points of the best mesh that were drawn somewhere
+  bool moved_ = false;     // its points were bound or drawn
+  bool used_up_ = false;
 };
 
 }  // namespace
@@ -218,6 +221,7 @@ void look_again(SheetTrial& best, const HexComplex& fitted, const MadeFrom& made
   const double lost_at_first = best.worth.lost;
   if (best.worth.lost < kHopeless) SecondLooks(best, fitted, made_from, fit, rules, vain).run();
   best.worth.lost_at_first = lost_at_first;
+  made_from.task.run.begin("smooth");  // whatever was looked at last, this is the step that has been done
 }
 
 }  // namespace hexfeature

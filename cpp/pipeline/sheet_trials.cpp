@@ -18,7 +18,7 @@ constexpr int kMostToBetter = 8000;
 /// Sheets that run through the part can be in each other's way.
 bool may_be_too_long(const SheetTrial& trial) {
   const bool bad = trial.smoothing.inverted > 0 || trial.smoothing.min_sj < kGoodEnough;
-  return trial.sheets.run_through > 0 && (trial.sheets.refused > 0 || (bad && !trial.suspects.empty()));
+  return trial.sheets.run_through && (trial.sheets.refused > 0 || (bad && !trial.suspects.empty()));
 }
 
 /// Of a mesh that is not faithful: what it lost, and a little for poor elements.

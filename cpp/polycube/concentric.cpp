@@ -99,7 +99,7 @@ class Widths {
     std::vector<int> width = start;
     for (int& w : width) w += (w - parity) & 1;
     for (int& w : width)
-      if (w < 1) w += 2;
+      while (w < 1) w += 2;
     for (std::size_t i = 0; i < width.size(); ++i) width[i] = width[variable_[i]];
     std::int64_t least = cost(width);
     for (int round = 0; round < kWidthRounds; ++round) {

@@ -272,7 +272,10 @@ Polycube Quantizer::solve(const std::vector<Separation>& separations, Context& c
     }
     u[a] = std::move(solution.x);
   }
-  for (const auto& group : concentric_) make_concentric(group, std::llround(kTermScale * kUnevenCost), terms, u);
+  for (const auto& group : concentric_) {
+    context.check();
+    make_concentric(group, std::llround(kTermScale * kUnevenCost), terms, u);
+  }
   for (int a = 0; a < 3; ++a) {
     if (count_[a] == 0) continue;
     const int least = *std::min_element(u[a].begin(), u[a].begin() + count_[a]);

@@ -71,6 +71,9 @@ class Cover {
       quads.triangles.push_back({v[0], v[1], v[2]});
       quads.triangles.push_back({v[0], v[2], v[3]});
     }
+    has_quads_.assign(faces + 1, 0);
+    for (int f : mesh.quad_face)
+      if (f > 0) has_quads_[f] = 1;
     if (quads.triangles.empty()) return;
     tree_ = TriangleTree(quads, context);
     for (std::size_t i = 0; i < samples_.size(); ++i) {
@@ -94,6 +97,9 @@ class Cover {
     return least;
   }
   void find(Sample& s) const {
+    s.quad = -1;
+    s.distance2 = std::numeric_limits<double>::infinity();
+    if (!has_quads_[s.face]) return;
     const ClosestPoint c = tree_.closest_if(s.point, [&](int t) { return mesh_.quad_face[t / 2] == s.face; });
     s.quad = c.triangle < 0 ? -1 : c.triangle / 2;
     s.distance2 = c.distance2;
@@ -104,6 +110,7 @@ class Cover {
   TriangleTree tree_;
   std::vector<Sample> samples_;  // by face
   std::vector<int> begin_;       // per face
+  std::vector<char> has_quads_;  // per face: it had some at the beginning
 };
 
 /// Whether two faces meet in a smooth CAD edge.
@@ -203,7 +210,13 @@ int cover_faces(HexComplex& mesh, const SurfaceMesh& surface, const Geometry& ge
       before = std::max(before, samples[i].distance2);
       after = std::max(after, now.distance2);
     };
+    Vec3 middle = Vec3::Zero();
+    for (int v : mesh.quads[q]) middle += 0.25 * mesh.points[v];
+    double radius = 0;
+    for (int v : mesh.quads[q]) radius = std::max(radius, (mesh.points[v] - middle).norm());
     for (int i = cover.begin(face); i < cover.end(face); ++i) {
+      const double far = radius + std::sqrt(samples[i].distance2);
+      if ((samples[i].point - middle).squaredNorm() > far * far) continue;
       const double d2 = cover.distance2(samples[i].point, q);
       if (d2 >= samples[i].distance2) continue;
       Cover::Sample now = samples[i];
@@ -223,9 +236,10 @@ int cover_faces(HexComplex& mesh, const SurfaceMesh& surface, const Geometry& ge
   };
 
   int changed = 0;
-  std::vector<int> bad;
+  std::vector<int> bad, refused(mesh.quads.size(), 0);  // per quad: the face that it was last denied in this pass
   for (int pass = 0, before = -1; pass < kPasses && changed != before; ++pass) {
     before = changed;
+    std::fill(refused.begin(), refused.end(), 0);
     bad.clear();
     for (int i = 0; i < static_cast<int>(samples.size()); ++i)
       if (samples[i].quad >= 0 && samples[i].distance2 > kSmall * kSmall * size * size) bad.push_back(i);
@@ -234,8 +248,11 @@ int cover_faces(HexComplex& mesh, const SurfaceMesh& surface, const Geometry& ge
       context.check();
       if (!(samples[i].distance2 > kSmall * kSmall * size * size)) continue;
       const int face = samples[i].face, q = cover.nearest_quad(samples[i].point);
-      if (mesh.quad_face[q] == face || keep[q] || !smooth_neighbours(face, mesh.quad_face[q])) continue;
-      if (!improves(q, face)) continue;
+      if (mesh.quad_face[q] == face || keep[q] || refused[q] == face || !smooth_neighbours(face, mesh.quad_face[q])) continue;
+      if (!improves(q, face)) {
+        refused[q] = face;
+        continue;
+      }
       for (const Change& c : changes) samples[c.sample] = c.after;
       ++changed;
     }
@@ -266,6 +283,8 @@ std::vector<int> draw_to_gaps(HexComplex& mesh, const SurfaceMesh& surface, cons
     any = false;
     Cover cover(mesh, surface, static_cast<int>(geometry.faces->size()), &telling, size, context);
     std::vector<Cover::Sample>& samples = cover.samples();
+    std::vector<std::vector<int>> quads_of(geometry.faces->size() + 1);
+    for (int q = 0; q < static_cast<int>(mesh.quads.size()); ++q) quads_of[mesh.quad_face[q]].push_back(q);
     std::vector<int> bad;
     for (int i = 0; i < static_cast<int>(samples.size()); ++i)
       if (samples[i].quad >= 0 && samples[i].distance2 > too_long * too_long) bad.push_back(i);
@@ -274,10 +293,9 @@ std::vector<int> draw_to_gaps(HexComplex& mesh, const SurfaceMesh& surface, cons
       context.check();
       const Cover::Sample& s = samples[i];
       near.clear();
-      for (int q = 0; q < static_cast<int>(mesh.quads.size()); ++q)
-        if (mesh.quad_face[q] == s.face)
-          for (int v : mesh.quads[q])
-            if ((mesh.points[v] - s.point).norm() < kReach * size) near.push_back(v);
+      for (int q : quads_of[s.face])
+        for (int v : mesh.quads[q])
+          if ((mesh.points[v] - s.point).norm() < kReach * size) near.push_back(v);
       std::sort(near.begin(), near.end());
       near.erase(std::unique(near.begin(), near.end()), near.end());
       // A gap that a neighbour's move has closed already needs no other.

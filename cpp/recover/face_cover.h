@@ -9,16 +9,16 @@
 
 namespace hexfeature {
 
-/// Longest distance from the points of each CAD face to the quads of its own, per 1-based face (0 for those without quads). `surface` is
-/// the CAD, sampled, in the coordinates of `mesh`; `size` the element size h.
+/// Longest distance from points of each CAD face (those that tell: corners, and what is on curved faces and edges) to the quads of its own,
+/// per 1-based face (0 for those without quads). `surface` is the CAD, sampled, in the coordinates of `mesh`; `size` the element size h.
 std::vector<double> face_gaps(const HexComplex& mesh, const SurfaceMesh& surface, const Geometry& geometry, double size,
                               const Context& context);
 
-/// Marks the points of `surface` that lie more than `limit` h from the quads of a CAD face that they lie on.
+/// Marks the points of `surface`, of those that tell, that lie more than `limit` h from the quads of a CAD face that they lie on.
 std::vector<char> uncovered_points(const HexComplex& mesh, const SurfaceMesh& surface, const Geometry& geometry, double size, double limit,
                                    const Context& context);
 
-/// Gives quads beside smooth CAD edges that no mesh edge follows to the face that they cover best: points have slid since the boundary was
+/// Gives quads beside smooth CAD edges to the face that they cover best: points have slid since the boundary was
 /// fitted. A quad changes when the longest of the gaps that this changes gets shorter.
 /// Quads along a followed sharp edge stay what they are. Returns how many changed.
 int cover_faces(HexComplex& mesh, const SurfaceMesh& surface, const Geometry& geometry, double size, const Context& context);

@@ -140,6 +140,7 @@ std::vector<LateRun> runs_beside_edges(const HexComplex& mesh, const std::vector
       piece = {};
     };
     for (int n : run) {
+      context.check();
       const Foot foot = is_free(n) && !taken[n] ? foot_of(n, pair) : Foot{};
       if (foot.edge == 0) {
         finish();
@@ -185,9 +186,13 @@ bool release(std::vector<LateRun>& runs, const std::vector<char>& marked) {
   std::vector<LateRun> kept;
   bool any = false;
   for (const LateRun& run : runs) {
-    LateRun piece{run.edge, {}, {}, run.quads};
+    LateRun piece{run.edge, {}, {}, {}};
     for (std::size_t i = 0; i <= run.nodes.size(); ++i) {
       if (i < run.nodes.size() && !marked[run.nodes[i]]) {
+        // The two quads beside the mesh edge to the point before.
+        if (!piece.nodes.empty() && 2 * i <= run.quads.size())
+          piece.quads.insert(piece.quads.end(), run.quads.begin() + 2 * static_cast<long>(i) - 2,
+                             run.quads.begin() + 2 * static_cast<long>(i));
         piece.nodes.push_back(run.nodes[i]);
         piece.t.push_back(run.t[i]);
         continue;

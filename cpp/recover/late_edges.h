@@ -14,8 +14,9 @@ namespace hexfeature {
 struct LateRun {
   int edge = 0;  ///< 1-based CAD edge
   std::vector<int> nodes;
-  std::vector<double> t;                  ///< the curve's parameter at each
-  std::vector<std::array<int, 2>> quads;  ///< on its two sides, with the CAD face that each of them is to lie on
+  std::vector<double> t;  ///< the curve's parameter at each
+  /// On the two sides of each of its mesh edges, with the CAD face that each of them is to lie on: 2 (nodes - 1).
+  std::vector<std::array<int, 2>> quads;
 };
 
 /// Straight runs of mesh edges between the quads that lie mostly on the one face of a CAD edge and those on its other, where no mesh edge
@@ -26,7 +27,8 @@ std::vector<LateRun> runs_beside_edges(const HexComplex& mesh, const std::vector
 /// Makes the runs' points those of the curves, and gives the quads beside them their faces. Only the next smoothing moves them there.
 void bind_points(HexComplex& mesh, const std::vector<LateRun>& runs);
 
-/// Takes the marked points out of the runs, which may fall in pieces. False when there were none.
+/// Takes the marked points out of the runs, which may fall in pieces; one of a single point still draws its quads' border there. False when
+/// there were none.
 bool release(std::vector<LateRun>& runs, const std::vector<char>& marked);
 
 /// Takes marked points off the CAD edges that they follow, onto a face beside: off smooth ones, and off sharp ones if `sharp`. The mesh

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <tuple>
 
 #include "mesh/triangle_tree.h"
 
@@ -19,7 +20,7 @@ struct Row {
   bool operator<(const Row& o) const { return std::tie(chart, axis, k) < std::tie(o.chart, o.axis, o.k); }
 };
 
-/// The rows of a quad: the one across its sides 0 and 2, that is along 1 and 3, and the other.
+/// The row of a quad that its side runs across (0 or 2: one row, 1 or 3: the other).
 Row row_across(int q, int side, const HexComplex& lattice, const HexComplex& fitted) {
   const auto& v = fitted.quads[q];
   int axis = 0;

@@ -122,7 +122,7 @@ SheetReport insert_sheets(HexComplex& complex, const FeatureShape& shape, const 
     if (next == groups.end()) break;
     done.push_back(name_of(*next));
     const SheetGroup group = next->floor_chart >= 0 ? *next : join_groups(complex, *next, groups, options, context);
-    report.run_through += options.run_through && could_end_inside(complex, *next, groups, group, options, context);
+    report.run_through = report.run_through || (options.run_through && could_end_inside(complex, *next, groups, group, options, context));
     std::vector<int> covered;
     const int begin = complex.hex_count();
     const std::string refusal = insert_sheet(complex, shape, geometry, group, options, context, &covered);

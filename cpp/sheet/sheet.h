@@ -37,7 +37,7 @@ struct SheetGroup {
 
 struct SheetReport {
   int inserted = 0, refused = 0;
-  int run_through = 0;                         ///< inserted or refused: would be others if SheetOptions::run_through were false
+  bool run_through = false;                    ///< some, inserted or refused, would be others if SheetOptions::run_through were false
   int taken_back = 0;                          ///< inserted at first, and left out of the mesh because it is better without (by the caller)
   std::vector<std::vector<int>> chart_groups;  ///< per inserted sheet (charts it covers; a floor: that chart)
   std::vector<std::vector<int>> names;         ///< per inserted sheet: what tells it from others, whichever of them are inserted

@@ -72,17 +72,20 @@ class Polish {
     std::sort(close.begin(), close.end());
     close.erase(std::unique(close.begin(), close.end()), close.end());
     for (const auto& [a, b] : close) {
+      setting_.context.check();
       const auto move = [&](int v, int other) {
         const Vec3 old = mesh_.points[v], way = old - mesh_.points[other];
         const double length = way.norm();
         if (length >= kLeast * h || setting_.held[v] != 0 || mesh_.place[v].dim == 0 || !(length > 0)) return;
         double before = 1;
         for (int i = begin_[v]; i < begin_[v + 1]; ++i) before = std::min(before, quality_[hexes_[i]]);
-        const double shortest = std::min(shortest_edge(v), kLeast * h), bearable = std::max(before - kLoss, worst - kWorstLoss);
+        const double shortest = std::min(shortest_edge(v), kLeast * h), bearable = std::max({before - kLoss, worst - kWorstLoss, 1e-6});
+        const double most_excess = excess(v);
         Vec2 uv = mesh_.place[v].uv;
         mesh_.points[v] = on_part(v, old + ((kLeast + kSpare) * h / length - 1) * way, uv);
         const double now = (mesh_.points[v] - mesh_.points[other]).norm();
-        if (now >= kLeast * h && shortest_edge(v) >= shortest && measured_round(v, hexes_[begin_[v]], -1) >= bearable) {
+        if (now >= kLeast * h && shortest_edge(v) >= shortest && excess(v) <= most_excess &&
+            measured_round(v, hexes_[begin_[v]], -1) >= bearable) {
           mesh_.place[v].uv = uv;
           for (int i = begin_[v]; i < begin_[v + 1]; ++i) quality_[hexes_[i]] = measured(hexes_[i]);
         } else {

@@ -100,7 +100,7 @@ Patch what_moves(const HexComplex& mesh, SmoothSetting& setting) {
 /// Boundary points exactly onto the CAD: where a projection is not its own foot to the last digits, a few times over.
 /// Returns the largest distance left.
 double settle(HexComplex& mesh, SmoothSetting& setting) {
-  Patch all = what_moves(mesh, setting);
+  Patch all = Patch::whole(mesh, setting);
   double deviation = 0;
   for (int round = 0; round < 5; ++round) {
     deviation = all.boundary->find_feet(all.x);

@@ -16,8 +16,10 @@ struct SmoothOptions {
   int threads = 2;             ///< results do not depend on it, bit for bit
   double least_target = 0.25;  ///< elements want to be no smaller than this many h
   bool brief = false;  ///< lift the mass of poor elements only a little, the mean not at all: where most are poor that takes the most time
-  std::vector<int> held;    ///< points that stay where they are; they must lie on their CAD entity already
-  std::vector<int> around;  ///< a smoothed mesh in which only these points are new: only what is near them moves; empty: everything
+  std::vector<int> held;  ///< points that stay where they are; they must lie on their CAD entity already
+  /// Of a smoothed mesh only these points are new: untangling and sliding move what is near them, the stages after that bad elements
+  /// wherever they are. Empty: everything.
+  std::vector<int> around;
 };
 
 struct SmoothReport {

@@ -204,8 +204,21 @@ TEST_CASE("a run of mesh edges beside a smooth CAD edge is bound to it, in piece
   marked[runs[0].nodes[1]] = 1;
   CHECK(release(runs, marked));
   CHECK(runs.size() == 2);
-  for (const LateRun& r : runs) CHECK(r.nodes.size() == 1);
+  for (const LateRun& r : runs) {
+    CHECK(r.nodes.size() == 1);
+    CHECK(r.quads.empty());
+  }
   CHECK(!release(runs, marked));
+
+  // A piece keeps the quads beside its own mesh edges.
+  std::vector<LateRun> rest = runs_beside_edges(c, {13}, part.surface(), part.geometry(), 1, context);
+  const LateRun whole = rest[0];
+  REQUIRE(whole.quads.size() == 4);
+  std::fill(marked.begin(), marked.end(), 0);
+  marked[whole.nodes[0]] = 1;
+  CHECK(release(rest, marked));
+  REQUIRE(rest.size() == 1);
+  CHECK(rest[0].quads == std::vector<std::array<int, 2>>{whole.quads[2], whole.quads[3]});
 }
 
 TEST_CASE("points are taken off the CAD edges that they follow, off sharp ones only when asked") {

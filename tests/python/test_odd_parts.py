@@ -115,3 +115,5 @@ def test_what_the_first_mesh_loses_is_brought_back(odd, name, size):
     assert set(mesh.quad_face) == set(range(1, mesh.report["part"]["cad_faces"] + 1))
     assert worst(mesh) > 0.4
     assert hexfeature.mesh(odd / f"{name}.step", size=size).method == "feature-line"
+    stopped = hexfeature.mesh(odd / f"{name}.step", size=size, stop_after="smooth")
+    assert len(stopped.stage("smooth")["hexes"]) == len(mesh.hexes)
