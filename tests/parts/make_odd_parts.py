@@ -157,6 +157,21 @@ def hub():
     return shape
 
 
+def thread():
+    """A rod with a screw thread of five turns."""
+    helix = Part.Wire(Part.makeHelix(3, 15, 5.8).Edges)
+    profile = Part.makePolygon([V(5.5, 0, 0), V(7, 0, 0.9), V(7, 0, 1.1), V(5.5, 0, 2), V(5.5, 0, 0)])
+    ridge = helix.makePipeShell([profile], True, True)
+    ridge.translate(V(0, 0, 5))
+    return Part.makeCylinder(6, 30).fuse(ridge).Solids[0]
+
+
+def spring():
+    """A round wire wound three times."""
+    circle = Part.Wire([Part.Edge(Part.Circle(V(15, 0, 0), V(0, 1, 0.127), 3))])
+    return Part.Wire(Part.makeHelix(12, 36, 15).Edges).makePipeShell([circle], True, True)
+
+
 #: name -> (function, ending)
 SHAPES = {
     "plate": (plate, "step"), "far": (far, "step"), "far_turned": (far_turned, "step"),
@@ -167,7 +182,7 @@ SHAPES = {
     "one_face_turned": (one_face_turned, "brep"), "tiny_edge": (tiny_edge, "step"), "sliver": (sliver, "step"),
     "touching": (touching, "step"), "loose_faces": (loose_faces, "brep"), "torn": (torn, "brep"),
     "corner_cone": (corner_cone, "step"), "parted_holes": (parted_holes, "step"), "chamfered": (chamfered, "step"),
-    "hub": (hub, "step"),
+    "hub": (hub, "step"), "thread": (thread, "step"), "spring": (spring, "step"),
 }
 
 

@@ -117,3 +117,12 @@ def test_what_the_first_mesh_loses_is_brought_back(odd, name, size):
     assert hexfeature.mesh(odd / f"{name}.step", size=size).method == "feature-line"
     stopped = hexfeature.mesh(odd / f"{name}.step", size=size, stop_after="smooth")
     assert len(stopped.stage("smooth")["hexes"]) == len(mesh.hexes)
+
+
+@pytest.mark.parametrize("name, size, step", [("thread", 2, "labels"), ("spring", 5, "lattice")])
+def test_what_winds_has_no_polycube_and_the_reason_is_told(odd, name, size, step):
+    """A screw's flanks lie each above the one before all the way round; a wire's borders cross each other once they are flat."""
+    with pytest.raises(hexfeature.MeshingError) as caught:
+        hexfeature.mesh(odd / f"{name}.step", size=size, method="feature-line", time_limit=300)
+    assert (caught.value.kind, caught.value.step) == ("no_mesh", step)
+    assert caught.value.reason and caught.value.hint and caught.value.cad_faces
