@@ -16,8 +16,8 @@ namespace {
 /// With another method to come, elements that may be folded by the fit alone: sheets and smoothing hardly ever put so many right.
 constexpr int kFoldedByFit = 120;
 
-/// With another method to come, elements of all the meshes of one labelling that stay inverted before it is given up.
-constexpr int kVainWork = 12000;
+/// Elements of all the meshes of one labelling that stay inverted before it is given up, with another method to come and without.
+constexpr int kVainWork = 12000, kVainWorkAlone = 45000;
 
 std::vector<int> cad_faces_of(const FeatureShape& shape, const std::vector<int>& charts) {
   std::set<int> faces;
@@ -137,7 +137,7 @@ SheetTrial fit_and_smooth(const MadeFrom& made_from) {
     rules.once = turned > 0;
     SheetTrial best = smooth_with_sheets(complex, made_from, rules, vain);
     const int inverted = best.smoothing.inverted;
-    const bool in_vain = rules.another_way && vain > kVainWork;
+    const bool in_vain = vain > (rules.another_way ? kVainWork : kVainWorkAlone);
     if (turned > 0 && inverted > 0 && !in_vain) {
       fit.free_turns = false;
       --round;

@@ -19,8 +19,9 @@ namespace {
 /// A mesh that lost more (Worth::lost) is not mended by a few lines more.
 constexpr double kHopeless = 0.4;
 
-/// What lost more than this lacks lines first of all.
+/// What lost more than this lacks lines first of all; a mesh of more elements than that is not made again for it.
 constexpr double kMuch = 0.2;
+constexpr int kLarge = 10000;
 
 /// With another method to come, lines more may make so many times as many elements, and a fit of any turns brings back this much.
 constexpr double kMostGrowth = 2, kInsistBelow = 0.1;
@@ -219,7 +220,8 @@ class SecondLooks {
 void look_again(SheetTrial& best, const HexComplex& fitted, const MadeFrom& made_from, const FitOptions& fit, const SheetRules& rules,
                 int& vain) {
   const double lost_at_first = best.worth.lost;
-  if (best.worth.lost < kHopeless) SecondLooks(best, fitted, made_from, fit, rules, vain).run();
+  if (best.worth.lost < kMuch || (best.worth.lost < kHopeless && best.mesh.hex_count() <= kLarge))
+    SecondLooks(best, fitted, made_from, fit, rules, vain).run();
   best.worth.lost_at_first = lost_at_first;
   made_from.task.run.begin("smooth");  // whatever was looked at last, this is the step that has been done
 }

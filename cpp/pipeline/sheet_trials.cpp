@@ -12,8 +12,8 @@ namespace {
 /// A mesh whose worst element is below this is worth a second try without (or with fewer) sheets.
 constexpr double kGoodEnough = 0.5;
 
-/// Elements of all the meshes that are made to better one that is sound and keeps the part.
-constexpr int kMostToBetter = 8000;
+/// Elements of all the meshes that are made to better one that is sound and keeps the part, or another one that has no inverted element.
+constexpr int kMostToBetter = 8000, kMostToMend = 24000;
 
 /// Sheets that run through the part can be in each other's way.
 bool may_be_too_long(const SheetTrial& trial) {
@@ -45,7 +45,7 @@ SheetTrial try_sheets(const MakeTrial& mesh_without, const SheetRules& rules, Co
   bool run_through = true;
   int work = 0;
   for (int trial = 0; trial < rules.most; ++trial) {
-    if (best.worth.good() && work >= kMostToBetter) break;
+    if (trial > 0 && best.smoothing.inverted == 0 && work >= (best.worth.good() ? kMostToBetter : kMostToMend)) break;
     SheetNames without = left_out;
     if (trial > 0) {
       if (suspects.empty()) suspects.swap(together);
@@ -83,7 +83,7 @@ SheetTrial try_sheets(const MakeTrial& mesh_without, const SheetRules& rules, Co
         run_through = false;
       }
     }
-    if (trial > 0) work += next.mesh.hex_count();
+    if (trial > 0 && best.smoothing.inverted == 0) work += next.mesh.hex_count();
     for (const std::vector<int>& name : next.sheets.names)
       if (std::find(all.begin(), all.end(), name) == all.end()) all.push_back(name);
     if (trial > 0 && !is_better(next, best)) continue;
