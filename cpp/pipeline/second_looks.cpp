@@ -19,7 +19,7 @@ namespace {
 /// A mesh that lost more (Worth::lost) is not mended by a few lines more.
 constexpr double kHopeless = 0.4;
 
-/// What lost more than this lacks lines first of all; a mesh of more elements than that is not made again for it.
+/// What lost more than this lacks lines first of all. A mesh of more elements than that is not fitted again.
 constexpr double kMuch = 0.2;
 constexpr int kLarge = 10000;
 
@@ -77,10 +77,11 @@ class SecondLooks {
     if (best_.worth.lost < kMuch) look([&] { follow_late(); });
     look([&] { draw(); });
     bool refined = false;
-    look([&] { refined = refine(); });
+    const bool large = best_.mesh.hex_count() > kLarge;
+    if (!large) look([&] { refined = refine(); });
     if (refined) look([&] { follow_late(); });
     if (refined) look([&] { draw(); });
-    if (fit_.free_turns && (!quick_.another_way || best_.worth.lost < kInsistBelow)) look([&] { insist(); });
+    if (!large && fit_.free_turns && (!quick_.another_way || best_.worth.lost < kInsistBelow)) look([&] { insist(); });
     if (moved_ && !used_up_ && best_.smoothing.min_sj < kPoorer * at_first) spend([&] { smooth_all(); });
   }
 
@@ -220,8 +221,7 @@ class SecondLooks {
 void look_again(SheetTrial& best, const HexComplex& fitted, const MadeFrom& made_from, const FitOptions& fit, const SheetRules& rules,
                 int& vain) {
   const double lost_at_first = best.worth.lost;
-  if (best.worth.lost < kMuch || (best.worth.lost < kHopeless && best.mesh.hex_count() <= kLarge))
-    SecondLooks(best, fitted, made_from, fit, rules, vain).run();
+  if (best.worth.lost < kHopeless) SecondLooks(best, fitted, made_from, fit, rules, vain).run();
   best.worth.lost_at_first = lost_at_first;
   made_from.task.run.begin("smooth");  // whatever was looked at last, this is the step that has been done
 }
