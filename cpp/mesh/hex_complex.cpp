@@ -7,6 +7,17 @@
 
 namespace hexfeature {
 
+SurfaceMesh triangles_of_quads(const HexComplex& complex) {
+  SurfaceMesh mesh;
+  mesh.points = complex.points;
+  mesh.triangles.reserve(2 * complex.quads.size());
+  for (const auto& v : complex.quads) {
+    mesh.triangles.push_back({v[0], v[1], v[2]});
+    mesh.triangles.push_back({v[0], v[2], v[3]});
+  }
+  return mesh;
+}
+
 bool same_cycle(const std::array<int, 4>& a, const std::array<int, 4>& b, int step) {
   for (int s = 0; s < 4; ++s)
     if (b[s] == a[0] && b[(s + step) % 4] == a[1] && b[(s + 2) % 4] == a[2] && b[(s + 3 * step) % 4] == a[3]) return true;

@@ -47,6 +47,9 @@ struct HexComplex {
   int hex_count() const { return static_cast<int>(hexes.size()); }
 };
 
+/// The boundary quads as triangles, two for each: 2q and 2q + 1 are those of quad q. Only points and triangles are set.
+SurfaceMesh triangles_of_quads(const HexComplex& complex);
+
 /// The six faces of a hexahedron, outward, as corner indices (drawing above).
 inline constexpr std::array<std::array<int, 4>, 6> kHexFaces{
     {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};

@@ -14,8 +14,8 @@ namespace hexfeature {
 struct Worth {
   bool edges_lost = false;  ///< of the sharp CAD edges more is lost than a mesh may lose: no choice of sheets brings them back
   bool faithful = false;    ///< every CAD face is covered by its quads, every sharp CAD edge followed, every corner a node
-  double lost =
-      0;  ///< of that: share of the sharp edges' length, 0.025 for each face lost and up to that for one not covered, 0.01 for each corner
+  /// Of that: share of the sharp edges' length, 0.025 for each face lost and up to that for one not covered, 0.01 for each corner.
+  double lost = 0;
   double lost_at_first = 0;  ///< the same before second looks: how well the labels suit the part
   double largest_gap = 0;    ///< longest distance from a point of a CAD face to the face's own quads, in h
   double min_sj = 0, mean_sj = 0;

@@ -45,7 +45,7 @@ SheetTrial try_sheets(const MakeTrial& mesh_without, const SheetRules& rules, Co
   bool run_through = true;
   int work = 0;
   for (int trial = 0; trial < rules.most; ++trial) {
-    if (trial > 0 && best.smoothing.inverted == 0 && work >= (best.worth.good() ? kMostToBetter : kMostToMend)) break;
+    if (best.smoothing.inverted == 0 && work >= (best.worth.good() ? kMostToBetter : kMostToMend)) break;
     SheetNames without = left_out;
     if (trial > 0) {
       if (suspects.empty()) suspects.swap(together);

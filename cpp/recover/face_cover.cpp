@@ -65,17 +65,11 @@ class Cover {
     std::stable_sort(samples_.begin(), samples_.end(), [](const Sample& a, const Sample& b) { return a.face < b.face; });
     for (const Sample& s : samples_) ++begin_[s.face + 1];
     for (int f = 0; f <= faces; ++f) begin_[f + 1] += begin_[f];
-    SurfaceMesh quads;
-    quads.points = mesh.points;
-    for (const auto& v : mesh.quads) {
-      quads.triangles.push_back({v[0], v[1], v[2]});
-      quads.triangles.push_back({v[0], v[2], v[3]});
-    }
     has_quads_.assign(faces + 1, 0);
     for (int f : mesh.quad_face)
       if (f > 0) has_quads_[f] = 1;
-    if (quads.triangles.empty()) return;
-    tree_ = TriangleTree(quads, context);
+    if (mesh.quads.empty()) return;
+    tree_ = TriangleTree(triangles_of_quads(mesh), context);
     for (std::size_t i = 0; i < samples_.size(); ++i) {
       if (i % 256 == 0) context.check();
       find(samples_[i]);
@@ -151,10 +145,9 @@ class Incidence {
 
 /// Quads that must keep their face: they lie along a sharp edge of it.
 std::vector<char> quads_along_sharp_edges(const HexComplex& mesh, const Geometry& geometry) {
-  std::vector<std::array<int, 2>> sharp;
+  std::vector<std::array<int, 2>> sharp;  // sorted, as feature_edges are
   for (std::size_t i = 0; i < mesh.feature_edges.size(); ++i)
     if (geometry.edge(mesh.feature_edge_cad[i]).sharp) sharp.push_back(mesh.feature_edges[i]);
-  std::sort(sharp.begin(), sharp.end());
   std::vector<char> along(mesh.quads.size(), 0);
   for (std::size_t q = 0; q < mesh.quads.size(); ++q)
     for (int k = 0; k < 4; ++k) {

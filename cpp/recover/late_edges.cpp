@@ -190,7 +190,7 @@ bool release(std::vector<LateRun>& runs, const std::vector<char>& marked) {
     for (std::size_t i = 0; i <= run.nodes.size(); ++i) {
       if (i < run.nodes.size() && !marked[run.nodes[i]]) {
         // The two quads beside the mesh edge to the point before.
-        if (!piece.nodes.empty() && 2 * i <= run.quads.size())
+        if (!piece.nodes.empty())
           piece.quads.insert(piece.quads.end(), run.quads.begin() + 2 * static_cast<long>(i) - 2,
                              run.quads.begin() + 2 * static_cast<long>(i));
         piece.nodes.push_back(run.nodes[i]);

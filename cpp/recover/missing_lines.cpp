@@ -54,13 +54,7 @@ std::vector<Separation> missing_lines(const std::vector<int>& halfedges, const L
   constexpr double kShortest = 0.7;  // of h: what runs less along a row only crosses it
   constexpr double kTallest = 3;     // of h: a row may be so tall
   const auto& chart_of = shape.cells.triangle_part;
-  SurfaceMesh quads;
-  quads.points = fitted.points;
-  for (const auto& v : fitted.quads) {
-    quads.triangles.push_back({v[0], v[1], v[2]});
-    quads.triangles.push_back({v[0], v[2], v[3]});
-  }
-  const TriangleTree tree(quads, context);
+  const TriangleTree tree(triangles_of_quads(fitted), context);
   std::map<Row, double> length;
   for (int h : halfedges) {
     context.check();

@@ -251,40 +251,50 @@ TEST_CASE("no run lies beside an edge that is too far") {
   CHECK(runs_beside_edges(c, {13}, part.surface(), part.geometry(), 1, context).empty());
 }
 
-TEST_CASE("a row of quads that a CAD edge runs along is to be a row more") {
-  LabelledSurface surface = voxel_surface(box({0, 0, 0}, {3, 3, 1}), 1);
+namespace {
+
+/// A plate of 3 x 3 x 1 in one element, stretched to `size`.
+struct Plate {
+  explicit Plate(const Vec3& size) {
+    options.size = 3;
+    lattice = build_lattice(surface.mesh, shape, options, context);
+    REQUIRE(lattice.report.ok);
+    REQUIRE(lattice.complex.hex_count() == 1);
+    fitted = lattice.complex;
+    for (Vec3& p : fitted.points) p = p.cwiseProduct(size);
+  }
+  std::vector<Separation> missing(const std::vector<int>& halfedges, double size) const {
+    return missing_lines(halfedges, lattice, fitted, surface.mesh, shape, size, context);
+  }
+  const LabelledSurface surface = voxel_surface(box({0, 0, 0}, {3, 3, 1}), 1);
   const FeatureShape shape = make_feature_shape(surface);
   QuantizeOptions options;
-  options.size = 3;
-  const Lattice lattice = build_lattice(surface.mesh, shape, options, context);
-  REQUIRE(lattice.report.ok);
-  HexComplex fitted = lattice.complex;
-  for (Vec3& p : fitted.points) p = p.cwiseProduct(Vec3(3, 3, 1));
-  REQUIRE(fitted.hex_count() == 1);
+  Lattice lattice;
+  HexComplex fitted;
+};
+
+}  // namespace
+
+TEST_CASE("a row of quads that a CAD edge runs along is to be a row more") {
+  const Plate plate(Vec3(3, 3, 1));
+  const SurfaceMesh& mesh = plate.surface.mesh;
   std::vector<int> along_y;
-  for (int h = 0; h < 3 * surface.mesh.triangle_count(); ++h) {
-    const Vec3 &a = surface.mesh.points[surface.mesh.from(h)], &b = surface.mesh.points[surface.mesh.to(h)];
-    if (h < surface.mesh.opposite[h] && a.x() == 1 && b.x() == 1 && a.z() == 1 && b.z() == 1) along_y.push_back(h);
+  for (int h = 0; h < 3 * mesh.triangle_count(); ++h) {
+    const Vec3 &a = mesh.points[mesh.from(h)], &b = mesh.points[mesh.to(h)];
+    if (h < mesh.opposite[h] && a.x() == 1 && b.x() == 1 && a.z() == 1 && b.z() == 1) along_y.push_back(h);
   }
   REQUIRE(along_y.size() == 3);
-  CHECK(missing_lines({}, lattice, fitted, surface.mesh, shape, 3, context).empty());
-  const auto finer = missing_lines(along_y, lattice, fitted, surface.mesh, shape, 3, context);
+  CHECK(plate.missing({}, 3).empty());
+  const auto finer = plate.missing(along_y, 3);
   REQUIRE(finer.size() == 1);
-  CHECK(shape.charts[finer[0].low].label == make_label(0, -1));
-  CHECK(shape.charts[finer[0].high].label == make_label(0, 1));
+  CHECK(plate.shape.charts[finer[0].low].label == make_label(0, -1));
+  CHECK(plate.shape.charts[finer[0].high].label == make_label(0, 1));
   CHECK(finer[0].gap == 2);
-  CHECK(build_lattice(surface.mesh, shape, options, context, finer).complex.hex_count() == 2);
+  CHECK(build_lattice(mesh, plate.shape, plate.options, context, finer).complex.hex_count() == 2);
 }
 
 TEST_CASE("rows much taller than the element size are to be several") {
-  LabelledSurface surface = voxel_surface(box({0, 0, 0}, {3, 3, 1}), 1);
-  const FeatureShape shape = make_feature_shape(surface);
-  QuantizeOptions options;
-  options.size = 3;
-  const Lattice lattice = build_lattice(surface.mesh, shape, options, context);
-  HexComplex fitted = lattice.complex;
-  for (Vec3& p : fitted.points) p = p.cwiseProduct(Vec3(7, 1, 1));
-  const auto wanted = missing_lines({}, lattice, fitted, surface.mesh, shape, 1, context);
+  const auto wanted = Plate(Vec3(7, 1, 1)).missing({}, 1);
   REQUIRE(wanted.size() == 1);
   CHECK(wanted[0].gap == 3);
 }
