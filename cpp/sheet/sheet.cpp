@@ -58,8 +58,9 @@ SheetGroup join_groups(const HexComplex& complex, const SheetGroup& first, const
     const SheetGroup both = united(joined, other);
     ShrinkSet together = choose_shrink_set(complex, topology, both, options, context);
     if (!alone.refusal.empty() || !together.refusal.empty()) continue;
-    // Charts that only their conflict would bring in speak against it: the sheet would wrap the sharp edges between those and theirs.
-    const auto size = [](const ShrinkSet& x) { return std::count(x.covered.begin(), x.covered.end(), 1); };
+    // Charts that only their conflict would bring in speak against it: the sheet would wrap the sharp edges between those and theirs. Rows
+    // that stay in their place are no better.
+    const auto size = [](const ShrinkSet& x) { return std::count(x.covered.begin(), x.covered.end(), 1) + x.rows; };
     const bool conflict = size(together) > size(set) + size(alone);
     if (conflict && options.run_through) continue;
     if ((conflict ? kConflictFactor : 1) * together.cost >= set.cost + alone.cost) continue;

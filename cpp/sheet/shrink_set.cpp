@@ -17,6 +17,9 @@ namespace {
 constexpr long long kInnerCost = 100, kCoveredCost = 5, kBadExitCost = 3000, kClosingCost = 10000;
 constexpr double kOneDirection = 0.87, kAcross = 0.71;  // cosines: 30 degrees, 45 degrees
 constexpr int kConflictRounds = 6;
+// Degrees: two hexahedra that share so much have a scaled Jacobian of 0.68 at most. Those that a sheet makes share a square edge have 0.71,
+// and a sheet that turns inside instead is seldom better.
+constexpr double kAcute = 85;
 
 // Blocks numbered 0.. in the order of their ids; each hexahedron its own block beside a CAD edge inside a chart: that cuts blocks.
 std::vector<int> dense_blocks(const HexComplex& complex, const SheetGroup& group, int& count) {
@@ -61,7 +64,12 @@ class Chooser {
     ShrinkSet set;
     for (int round = 0; round <= kConflictRounds; ++round) {
       context.check();
-      const Terminals t = terminals();
+      Terminals t = terminals();
+      for (int rows = part_rows(t); rows > 0; rows = part_rows(t)) {
+        set.rows += rows;
+        context.check();
+        t = terminals();
+      }
       if (std::find(t.source.begin(), t.source.end(), 1) == t.source.end()) {
         set.refusal = "no block needs to shrink";
         return set;
@@ -85,6 +93,40 @@ class Chooser {
   }
 
  private:
+  // Of blocks that must both shrink and stay, the rows of hexahedra along the free charts concerned, as blocks of their own that stay:
+  // where the sheet would otherwise wrap an acute edge, whose angle two hexahedra share badly. Returns how many.
+  int part_rows(const Terminals& t) {
+    int rows = 0;
+    for (const auto& [block, chart] : t.by) rows += t.source[block] && chart >= 0 && wraps_acute_edge(chart) && part_row(block, chart);
+    return rows;
+  }
+
+  // Would it, if the chart were covered too?
+  bool wraps_acute_edge(int chart) const {
+    return std::any_of(topology_.edges.begin(), topology_.edges.end(), [&](const HexTopology::Edge& e) {
+      if (e.count != 1) return false;
+      const bool first = complex_.quad_chart[e.quads[0]] == chart && covered(e.quads[1]);
+      const bool second = complex_.quad_chart[e.quads[1]] == chart && covered(e.quads[0]);
+      return (first || second) && solid_angle(complex_, e) < kAcute;
+    });
+  }
+
+  // Not a row at a smooth edge, which must shrink; nor a whole block.
+  bool part_row(int block, int chart) {
+    std::vector<char> row(block_.size(), 0);
+    for (int q = 0; q < static_cast<int>(complex_.quads.size()); ++q)
+      if (const int h = topology_.hex_of_quad(q); complex_.quad_chart[q] == chart && block_[h] == block) row[h] = 1;
+    for (const auto& nodes : group_.smooth_edges)
+      if (const auto* e = topology_.find_edge(nodes[0], nodes[1]))
+        for (int i = 0; i < e->count; ++i)
+          if (row[topology_.edge_hexes[e->first + i]]) return false;
+    if (std::count(row.begin(), row.end(), 1) == std::count(block_.begin(), block_.end(), block)) return false;
+    for (std::size_t h = 0; h < block_.size(); ++h)
+      if (row[h]) block_[h] = block_count_;
+    ++block_count_;
+    return true;
+  }
+
   bool covered(int quad) const { return complex_.quad_chart[quad] >= 0 && covered_[complex_.quad_chart[quad]]; }
 
   Terminals terminals() const {

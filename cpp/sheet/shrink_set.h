@@ -13,13 +13,15 @@ struct ShrinkSet {
   std::vector<char> inside;   ///< per hexahedron
   std::vector<char> covered;  ///< per chart: the sheet runs along the quads of `inside` on it; through the others it leaves
   long long cost = 0;         ///< of the cut
+  int rows = 0;               ///< of hexahedra that stay, parted from blocks that shrink
   std::string refusal;        ///< not empty: there is none, and why
 };
 
 /// Minimum cut over blocks (experiments B2). Source: the blocks at the group's smooth edges. At the foot of the group's wall (a
 /// border with a free chart, three or more hexahedra round it, or two and nearly flat) the free face's block is sink and the
 /// blocks under the foot are source, so that the sheet goes on straight into the solid instead of closing under the wall like
-/// a cup. A block wanted on both sides: the free charts concerned join the group, and again. Costs per lattice face: between blocks 100,
+/// a cup. A block wanted on both sides: the free charts concerned join the group, and again; but where the sheet would then wrap an acute
+/// edge, the hexahedra along the free chart become a block of their own, which stays. Costs per lattice face: between blocks 100,
 /// covered 5, leaving through a free one 0; leaving at a concave edge so that too few hexahedra stay there, 3000 per edge; with
 /// SheetOptions::run_through ending inside across walls that close all round along one direction, as a shaft's do, 10000: a sheet that
 /// closes like a cup has nodes where three inner edges of three hexahedra meet, a scaled Jacobian of 0.770, and one that runs from end

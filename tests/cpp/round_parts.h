@@ -382,4 +382,27 @@ inline HexPart tee_part(int n = 2) {
                        });
 }
 
+/// A disc with a step in its rim, as a cam has: half a disc of radius 2, on it a segment of a larger one, centred `below` under the first,
+/// that reaches 2 farther on one side. The edge at its tip has 90 degrees with none, and less the farther below.
+inline HexPart cam_part(double below, int n = 2) {
+  const auto voxels = unite(box({-1, -2, 0}, {2, 2, 2}), box({-2, 0, 0}, {-1, 2, 2}));
+  const auto map = [below](const Vec3& p) -> Vec3 {
+    const bool upper = p[1] >= 0;
+    // Half squares onto half discs: u, v along and across, the share m of the way out, s of the way round.
+    const double u = upper || p[0] > 0 ? p[0] / 2 : p[0], v = std::abs(p[1]) / 2, m = std::max(std::abs(u), v);
+    if (m == 0) return {0, 0, p[2]};
+    const double s = u == m ? v / m : v == m ? 2 - u / m : 4 - v / m, angle = (upper ? 1 : -1) * EIGEN_PI * s / 4;
+    const Vec3 d(std::cos(angle), std::sin(angle), 0);
+    const double c = d.dot(Vec3(-1, -below, 0)), r = upper ? c + std::sqrt(c * c + 8) : 2;
+    return Vec3(0, 0, p[2]) + m * r * d;
+  };
+  return make_hex_part(voxels, n, map,
+                       {cylinder({-1, -below, 0}, Vec3::UnitZ(), std::sqrt(9 + below * below)), cylinder(Vec3::Zero(), Vec3::UnitZ(), 2),
+                        plane(Vec3::Zero(), -Vec3::UnitY()), plane(Vec3::Zero(), -Vec3::UnitZ()), plane({0, 0, 2}, Vec3::UnitZ())},
+                       [](hexfeature::Label l, const Vec3& p) {
+                         if (l >= 4) return l == 5 ? 4 : 5;
+                         return p[1] > 0 ? 1 : p[1] < 0 ? 2 : 3;
+                       });
+}
+
 }  // namespace fixtures

@@ -222,6 +222,23 @@ TEST_CASE("stepped shaft: each sheet runs through the whole part, unless it may 
   }
 }
 
+TEST_CASE("cam: at its step the sheet wraps the tip's edge, unless that is acute; then it goes straight into the solid") {
+  for (const double below : {-0.5, 1.0}) {
+    CAPTURE(below);
+    auto part = cam_part(below);
+    CHECK(check_complex(part.complex) == "");
+    CHECK(hexes_round(part, 1, 3) == std::array<int, 2>{1, 1});  // the tip, 100 or 72 degrees
+    const SheetReport report = run(part);
+    CHECK(report.inserted == 1);
+    CHECK(report.refused == 0);
+    CHECK(check_complex(part.complex) == "");
+    CHECK(flat_edges(part) == 0);
+    const int tip = below > 0 ? 1 : 2, foot = below > 0 ? 3 : 2;
+    CHECK(hexes_round(part, 1, 3) == std::array<int, 2>{tip, tip});
+    CHECK(hexes_round(part, 2, 3) == std::array<int, 2>{foot, foot});
+  }
+}
+
 TEST_CASE("tee: a sheet along the main pipe, under the branch; another along the branch") {
   auto part = tee_part();
   CHECK(check_complex(part.complex) == "");
