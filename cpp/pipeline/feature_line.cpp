@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "base/share.h"
 #include "fit/fit.h"
 #include "pipeline/second_looks.h"
 
@@ -144,6 +145,8 @@ SheetTrial fit_and_smooth(const MadeFrom& made_from) {
       continue;
     }
     if (inverted == 0 && !best.worth.faithful) look_again(best, complex, made_from, fit, rules, vain);
+    // The mesh is there already: it stays when the time for this is used up.
+    if (inverted == 0) run_with_share(run.context, kShareForBetter, [&] { lift_trial_mean(best, task); });
     run.result.sheets = best.sheets;
     run.result.smoothing = best.smoothing;
     if (inverted == 0) return best;

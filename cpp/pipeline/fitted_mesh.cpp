@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "recover/face_cover.h"
 #include "recover/late_edges.h"
@@ -39,6 +40,33 @@ void loosen_inverted(SheetTrial& trial, const SolidTask& task, SmoothOptions smo
   }
 }
 
+/// Where points of a CAD face lie farther from its quads than is nobody's loss, and not as far in another mesh.
+std::vector<Vec3> opened_gaps(const HexComplex& before, const HexComplex& after, const SolidTask& task) {
+  constexpr double kBearable = 0.36;  // of h
+  const double bearable = kBearable * task.run.options.size;
+  const auto gaps = [&](const HexComplex& mesh) {
+    return point_gaps(mesh, task.run.result.surface, task.part.geometry(), task.run.options.size, task.run.context);
+  };
+  const std::vector<PointGap> now = gaps(after);
+  if (std::all_of(now.begin(), now.end(), [&](const PointGap& g) { return g.gap <= bearable; })) return {};
+  const std::vector<PointGap> then = gaps(before);
+  std::vector<Vec3> opened;
+  for (std::size_t i = 0; i < now.size(); ++i)
+    if (now[i].gap > std::max(bearable, then[i].gap)) opened.push_back(now[i].point);
+  return opened;
+}
+
+/// Boundary points near any of these places; all of them when there are none.
+std::vector<int> boundary_near(const HexComplex& mesh, const std::vector<Vec3>& places, double size) {
+  constexpr double kNear = 2;  // h
+  std::vector<int> points;
+  for (int v = 0; v < mesh.point_count(); ++v) {
+    const auto near = [&](const Vec3& p) { return (p - mesh.points[v]).squaredNorm() < kNear * kNear * size * size; };
+    if (mesh.place[v].dim <= 2 && (places.empty() || std::any_of(places.begin(), places.end(), near))) points.push_back(v);
+  }
+  return points;
+}
+
 }  // namespace
 
 void smooth_trial(SheetTrial& trial, const SolidTask& task, bool may_lose_edges, const std::vector<int>& around,
@@ -59,6 +87,39 @@ void smooth_trial(SheetTrial& trial, const SolidTask& task, bool may_lose_edges,
   const int changed = cover_faces(trial.mesh, run.result.surface, geometry, run.options.size, run.context);
   if (changed > 0) run.context.log(std::to_string(changed) + " quads cover another CAD face better");
   trial.worth = worth_of(trial.mesh, trial.smoothing, task);
+}
+
+void lift_trial_mean(SheetTrial& trial, const SolidTask& task) {
+  constexpr int kTries = 3;
+  constexpr double kLittle = 0.002;  // of the sharp edges, where all that matters is kept
+  Run& run = task.run;
+  const Geometry& geometry = task.part.geometry();
+  SmoothOptions smoothing;
+  smoothing.size = run.options.size;
+  smoothing.threads = run.options.threads;
+  smoothing.held = trial.held;
+  const double bearable = trial.worth.faithful ? kLittle : 0;
+  for (int attempt = 1; attempt <= kTries; ++attempt) {
+    SheetTrial other = trial;
+    other.smoothing = smooth_mean(other.mesh, *geometry.projector, smoothing, run.context);
+    run.context.log("mean SJ " + std::to_string(trial.smoothing.mean_sj) + " -> " + std::to_string(other.smoothing.mean_sj) + ", " +
+                    std::to_string(smoothing.held.size()) + " points held");
+    if (other.smoothing.inverted > 0 || !(other.smoothing.mean_sj > trial.smoothing.mean_sj)) return;
+    cover_faces(other.mesh, run.result.surface, geometry, run.options.size, run.context);
+    std::vector<Vec3> opened = opened_gaps(trial.mesh, other.mesh, task);
+    if (opened.empty()) {
+      other.worth = worth_of(other.mesh, other.smoothing, task);
+      other.worth.lost_at_first = trial.worth.lost_at_first;
+      if (other.worth.faithful == trial.worth.faithful && other.worth.lost <= std::max(trial.worth.lost, bearable)) {
+        trial = std::move(other);
+        return;
+      }
+    }
+    // What it cost lies there; else, or when that was not enough, nothing of the surface moves.
+    if (attempt + 1 == kTries) opened.clear();
+    const std::vector<int> more = boundary_near(trial.mesh, opened, run.options.size);
+    smoothing.held.insert(smoothing.held.end(), more.begin(), more.end());
+  }
 }
 
 SheetTrial smooth_with_sheets(const HexComplex& fitted, const MadeFrom& made_from, const SheetRules& rules, int& vain) {

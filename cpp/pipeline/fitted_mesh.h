@@ -25,6 +25,9 @@ SheetTrial smooth_with_sheets(const HexComplex& fitted, const MadeFrom& made_fro
 void smooth_trial(SheetTrial& trial, const SolidTask& task, bool may_lose_edges, const std::vector<int>& around = {},
                   const std::vector<int>& held = {});
 
+/// Lifts the mean scaled Jacobian of a trial's mesh as far as that costs nothing of the part: else with its surface as it is.
+void lift_trial_mean(SheetTrial& trial, const SolidTask& task);
+
 /// Marks the points of the elements that are not proved positive, or whose scaled Jacobian is below `limit`.
 std::vector<char> points_of_inverted(const HexComplex& complex, double limit = 0);
 

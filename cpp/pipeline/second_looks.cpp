@@ -83,6 +83,7 @@ class SecondLooks {
     if (refined) look([&] { draw(); });
     if (!large && fit_.free_turns && (!quick_.another_way || best_.worth.lost < kInsistBelow)) look([&] { insist(); });
     if (moved_ && !used_up_ && best_.smoothing.min_sj < kPoorer * at_first) spend([&] { smooth_all(); });
+    best_.held = held_;
   }
 
  private:

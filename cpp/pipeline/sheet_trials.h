@@ -15,8 +15,9 @@ struct SheetTrial {
   HexComplex mesh;
   SheetReport sheets;
   SmoothReport smoothing;
-  Worth worth;          ///< nothing is known of a mesh with inverted elements
-  SheetNames suspects;  ///< those at its worst elements, in the order of insertion
+  Worth worth;            ///< nothing is known of a mesh with inverted elements
+  SheetNames suspects;    ///< those at its worst elements, in the order of insertion
+  std::vector<int> held;  ///< points that were drawn to where a face was not covered, and stay there
 };
 
 struct SheetRules {

@@ -170,6 +170,14 @@ std::vector<double> face_gaps(const HexComplex& mesh, const SurfaceMesh& surface
   return gap;
 }
 
+std::vector<PointGap> point_gaps(const HexComplex& mesh, const SurfaceMesh& surface, const Geometry& geometry, double size,
+                                 const Context& context) {
+  Cover cover(mesh, surface, static_cast<int>(geometry.faces->size()), nullptr, size, context);
+  std::vector<PointGap> gaps;
+  for (const Cover::Sample& s : cover.samples()) gaps.push_back({s.point, std::sqrt(s.distance2)});
+  return gaps;
+}
+
 std::vector<char> uncovered_points(const HexComplex& mesh, const SurfaceMesh& surface, const Geometry& geometry, double size, double limit,
                                    const Context& context) {
   std::vector<char> marked(surface.points.size(), 0);

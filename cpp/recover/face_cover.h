@@ -14,6 +14,14 @@ namespace hexfeature {
 std::vector<double> face_gaps(const HexComplex& mesh, const SurfaceMesh& surface, const Geometry& geometry, double size,
                               const Context& context);
 
+struct PointGap {
+  Vec3 point;  ///< on a CAD face
+  double gap;  ///< its distance to the quads of that face; infinite for a face without quads
+};
+/// Of points on all CAD faces, and not only of those that tell: always the same ones for the same surface.
+std::vector<PointGap> point_gaps(const HexComplex& mesh, const SurfaceMesh& surface, const Geometry& geometry, double size,
+                                 const Context& context);
+
 /// Marks the points of `surface`, of those that tell, that lie more than `limit` h from the quads of a CAD face that they lie on.
 std::vector<char> uncovered_points(const HexComplex& mesh, const SurfaceMesh& surface, const Geometry& geometry, double size, double limit,
                                    const Context& context);

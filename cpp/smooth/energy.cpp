@@ -11,17 +11,19 @@ namespace hexfeature {
 namespace {
 
 constexpr double kSpanWeight = 6;
+constexpr double kMeanSpans = 0.002;  // the spans' share in the mean-element energy: that counts elements, not the powers of their corners
 
 }  // namespace
 
-int HexEnergy::frame_count(int group) const { return thorough_[group] ? kAllFrames : kCorners; }
+int HexEnergy::frame_count(int group, const EnergyTerms& terms) const { return thorough_[group] && !terms.mean ? kAllFrames : kCorners; }
 
 double HexEnergy::floor(const EnergyTerms& terms) const {
-  const double shape = (1 - terms.theta) * 3 + terms.theta * 2, one = terms.power > 0 ? 1 + terms.shape_weight * shape : shape;
+  const double shape = (1 - terms.theta) * 3 + terms.theta * 2;
+  const double one = terms.shape_alone() ? shape : (terms.mean ? 0 : 1) + terms.shape_weight * shape;
   double total = 0;
   for (std::size_t g = 0; g < thorough_.size(); ++g)
     for (int l = 0; l < kLanes; ++l)
-      total += weight_[g * kLanes + l] * one * (kCorners + (thorough_[g] ? kMixedWeight * (kAllFrames - kCorners) : 0));
+      total += weight_[g * kLanes + l] * one * (kCorners + kMixedWeight * (frame_count(static_cast<int>(g), terms) - kCorners));
   return total;
 }
 
@@ -80,7 +82,8 @@ void HexEnergy::admit(const double* x) {
   }
 }
 
-double HexEnergy::add_spans(const double* x, bool barrier, double* gradient) const {
+double HexEnergy::add_spans(const double* x, bool barrier, double share, double* gradient) const {
+  const double weight = share * kSpanWeight;
   double energy = 0;
   for (std::size_t i = 0; i < spans_.size(); ++i) {
     const Span& s = spans_[i];
@@ -93,16 +96,16 @@ double HexEnergy::add_spans(const double* x, bool barrier, double* gradient) con
         const double left = limit_[i] - r;
         if (!(left > 0)) return std::numeric_limits<double>::infinity();
         const double q = over / left;
-        energy += kSpanWeight * q * q;
-        slope = 2 * kSpanWeight * q * (limit_[i] - 1) / (left * left * longest2);
+        energy += weight * q * q;
+        slope = 2 * weight * q * (limit_[i] - 1) / (left * left * longest2);
       } else {
-        energy += kSpanWeight * over * over;
-        slope = 2 * kSpanWeight * over / longest2;
+        energy += weight * over * over;
+        slope = 2 * weight * over / longest2;
       }
     } else if (length2 < shortest2) {
       const double square = std::max(length2, 1e-4 * shortest2), r = shortest2 / square;
-      energy += kSpanWeight * (r - 1) * (r - 1);
-      slope = length2 < square ? 0 : -2 * kSpanWeight * (r - 1) * r / square;
+      energy += weight * (r - 1) * (r - 1);
+      slope = length2 < square ? 0 : -2 * weight * (r - 1) * r / square;
     }
     if (!gradient || slope == 0) continue;
     Eigen::Map<Vec3>(gradient + 3 * s.b) += 2 * slope * e;
@@ -118,7 +121,7 @@ EnergyValue HexEnergy::evaluate(const double* x, const EnergyTerms& terms, doubl
   workers_.run(groups, 64, [&](int begin, int end) {
     for (int g = begin; g < end; ++g)
       parts_[g] = evaluate_group({nodes_.data() + 8 * kLanes * g, inverse_size_.data() + kLanes * g, weight_.data() + kLanes * g,
-                                  shortest_.data() + kLanes * g, least_.data() + kLanes * g, frame_count(g)},
+                                  shortest_.data() + kLanes * g, least_.data() + kLanes * g, frame_count(g, terms)},
                                  x, terms, slots ? slots + static_cast<std::size_t>(24) * kLanes * g : nullptr);
   });
   EnergyValue value{0, std::numeric_limits<double>::infinity()};
@@ -126,7 +129,7 @@ EnergyValue HexEnergy::evaluate(const double* x, const EnergyTerms& terms, doubl
     value.energy += part.energy;
     value.min_det = std::min(value.min_det, part.min_det);
   }
-  if (!(value.energy < std::numeric_limits<double>::infinity()) || (terms.power > 0 && !(value.min_det > 0))) {
+  if (!(value.energy < std::numeric_limits<double>::infinity()) || (!terms.shape_alone() && !(value.min_det > 0))) {
     value.energy = std::numeric_limits<double>::infinity();
     return value;
   }
@@ -141,7 +144,7 @@ EnergyValue HexEnergy::evaluate(const double* x, const EnergyTerms& terms, doubl
         gradient[3 * v] = gx, gradient[3 * v + 1] = gy, gradient[3 * v + 2] = gz;
       }
     });
-  value.energy += add_spans(x, terms.power > 0, gradient);
+  value.energy += add_spans(x, !terms.shape_alone(), terms.mean ? kMeanSpans : 1, gradient);
   return value;
 }
 
@@ -160,7 +163,7 @@ CornerStiffness corner_stiffness(const Vec3 (&e)[3], const EnergyTerms& terms) {
   r.along[1] = e[2].cross(e[0]);
   r.along[2] = e[0].cross(e[1]);
   const double d = e[0].dot(r.along[0]), sum = e[0].squaredNorm() + e[1].squaredNorm() + e[2].squaredNorm();
-  if (terms.power == 0) {
+  if (terms.shape_alone()) {
     const double root = std::sqrt(terms.epsilon_squared + d * d), outer = root + std::abs(d);
     const double chi = d >= 0 ? 0.5 * outer : 0.5 * terms.epsilon_squared / outer;
     const double y = 1 / std::cbrt(chi), y2 = y * y, slope = chi / root;
@@ -176,13 +179,14 @@ CornerStiffness corner_stiffness(const Vec3 (&e)[3], const EnergyTerms& terms) {
     r.curvature = 0;
     return r;
   }
-  const double power = std::pow(lengths / d, terms.power);
+  // The mean-element energy resembles that of the worst with p = 2, but for a factor.
+  const double p = terms.mean ? 2 : terms.power, shape = terms.mean ? 0.5 : terms.shape_weight, power = std::pow(lengths / d, p);
   for (int i = 0; i < 3; ++i) {
     const double square = std::max(e[i].squaredNorm(), 1e-30);
     r.along[i] = e[i] / square - r.along[i] / d;
-    r.alpha[i] = terms.power * power / square + 2 * terms.shape_weight;
+    r.alpha[i] = p * power / square + 2 * shape;
   }
-  r.curvature = terms.power * (terms.power + 1.0) * power;
+  r.curvature = p * (p + 1) * power;
   return r;
 }
 
@@ -205,7 +209,7 @@ void HexEnergy::stiffness(const double* x, const EnergyTerms& terms, std::vector
           sum[k].head<3>() += Vec3::Constant(alpha) + curvature * g.cwiseProduct(g);
           sum[k].tail<3>() += curvature * Vec3(g[1] * g[2], g[0] * g[2], g[0] * g[1]);
         };
-        for (int i = 0; i < frame_count(group); ++i) {
+        for (int i = 0; i < frame_count(group, terms); ++i) {
           const Frame& frame = hex_frames().frame[i];
           Vec3 edges[3];
           for (int k = 0; k < 3; ++k) edges[k] = p[frame.to[k]] - p[frame.from[k]];

@@ -47,11 +47,11 @@ class HexEnergy {
   /// what makes an unscaled descent crawl. Elements for which the energy is not defined count as perfect ones.
   void stiffness(const double* x, const EnergyTerms& terms, std::vector<double>& blocks) const;
 
-  /// The energy of the spans alone; adds its gradient to `gradient` (may be null). `barrier`: as in the worst-element energy.
-  double add_spans(const double* x, bool barrier, double* gradient) const;
+  /// `share` of the energy of the spans alone; adds its gradient to `gradient` (may be null). `barrier`: as in the worst-element energy.
+  double add_spans(const double* x, bool barrier, double share, double* gradient) const;
 
  private:
-  int frame_count(int group) const;
+  int frame_count(int group, const EnergyTerms& terms) const;
 
   int hexes_, points_;
   std::vector<int> nodes_;             ///< per group of four elements: 8 nodes x 4 lanes, as offsets into x

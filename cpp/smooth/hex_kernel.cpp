@@ -108,7 +108,33 @@ HEXFEATURE_INLINE Lanes to_power(Lanes q, int p) {
   return q;
 }
 
-template <bool kWorst>
+constexpr int kMeanPower = 8, kBarrierPower = 16;
+constexpr double kBarrier = 0.1;
+
+HEXFEATURE_INLINE Lanes to_root(Lanes q, int p) {
+  for (; p > 1; p /= 2) q = square_root(q);
+  return q;
+}
+
+/// Of the mean-element energy: 1 - s, and what it changes per change of log q^8 at a corner, divided by q^8.
+struct Mean {
+  Lanes value, slope;
+};
+HEXFEATURE_INLINE Mean mean_of_corners(const Vector* p) {
+  const FrameTable& frames = hex_frames();
+  Lanes sum{};
+  for (int i = 0; i < kCorners; ++i) {
+    const Frame& frame = frames.frame[i];
+    const Vector a = p[frame.to[0]] - p[frame.from[0]], b = p[frame.to[1]] - p[frame.from[1]], c = p[frame.to[2]] - p[frame.from[2]];
+    sum += to_power(square_root(dot(a, a) * dot(b, b) * dot(c, c)) / dot(a, cross(b, c)), kMeanPower);
+  }
+  const Lanes s = 1 / to_root(sum / kCorners, kMeanPower);
+  return {1 - s, s / (kMeanPower * sum)};
+}
+
+enum class Kind { Shape, Worst, Mean };
+
+template <Kind kKind>
 HEXFEATURE_INLINE GroupValue evaluate(const Group& group, const double* x, const EnergyTerms& terms, double* slots) {
   const Lanes inverse = load(group.inverse_size), wall = load(group.shortest), allowed = load(group.least);
   Vector p[8];
@@ -122,9 +148,11 @@ HEXFEATURE_INLINE GroupValue evaluate(const Group& group, const double* x, const
     p[k].x *= inverse, p[k].y *= inverse, p[k].z *= inverse;
   }
   Vector grad[8] = {};
+  constexpr bool kWalls = kKind != Kind::Shape, kMean = kKind == Kind::Mean;
+  const Mean mean = kMean ? mean_of_corners(p) : Mean{};
   const FrameTable& frames = hex_frames();
-  const double theta = terms.theta, epsilon2 = terms.epsilon_squared, shape = kWorst ? terms.shape_weight : 1;
-  Lanes energy{}, least = Lanes{} + std::numeric_limits<double>::infinity(), too_short = Lanes{} + 1;
+  const double theta = terms.theta, epsilon2 = terms.epsilon_squared, shape = kWalls ? terms.shape_weight : 1;
+  Lanes energy = mean.value, least = Lanes{} + std::numeric_limits<double>::infinity(), too_short = Lanes{} + 1;
   for (int i = 0; i < group.frames; ++i) {
     const Frame& frame = frames.frame[i];
     const double share = i < kCorners ? 1 : kMixedWeight, part_shape = share * shape;
@@ -141,9 +169,13 @@ HEXFEATURE_INLINE GroupValue evaluate(const Group& group, const double* x, const
     const Lanes alpha = (2 * (1 - theta) * part_shape) * y2;
     Lanes beta = part_shape * (2 * theta * d * inverse_chi - slope * inverse_chi * ((1 - theta) * (2.0 / 3.0) * f + theta * g));
     Lanes alpha_a = alpha, alpha_b = alpha, alpha_c = alpha;
-    if (kWorst) {
+    if (kWalls) {
       too_short = least_of(too_short, least_of(least_of(aa, bb), cc) - allowed);
-      const Lanes q = square_root(aa * bb * cc) / d, power = share * to_power(q, terms.power), slope_q = terms.power * power;
+      const Lanes q = square_root(aa * bb * cc) / d;
+      const int exponent = kMean ? kBarrierPower : terms.power;
+      const Lanes power = kMean ? kBarrier * to_power(terms.worst * q, exponent) : share * to_power(q, exponent);
+      Lanes slope_q = exponent * power;
+      if (kMean) slope_q += kMeanPower * mean.slope * to_power(q, kMeanPower);
       const Lanes ia = 1 / aa, ib = 1 / bb, ic = 1 / cc;
       const Lanes wa = positive(wall * ia - 1), wb = positive(wall * ib - 1), wc = positive(wall * ic - 1);
       energy += power + (4 * share) * (wa * wa + wb * wb + wc * wc);
@@ -163,7 +195,7 @@ HEXFEATURE_INLINE GroupValue evaluate(const Group& group, const double* x, const
   // Empty lanes repeat the last element: harmless in the minimum, left out of the sum.
   GroupValue value{0, least[0]};
   for (int l = 0; l < kLanes; ++l) {
-    if (kWorst && !(too_short[l] >= 0)) return {std::numeric_limits<double>::infinity(), 0};
+    if (kWalls && !(too_short[l] >= 0)) return {std::numeric_limits<double>::infinity(), 0};
     if (least[l] < value.min_det || std::isnan(least[l])) value.min_det = least[l];
     if (group.weight[l] > 0) value.energy += energy[l];
   }
@@ -177,16 +209,21 @@ HEXFEATURE_INLINE GroupValue evaluate(const Group& group, const double* x, const
 }
 
 HEXFEATURE_CLONES GroupValue evaluate_shape(const Group& group, const double* x, const EnergyTerms& terms, double* slots) {
-  return evaluate<false>(group, x, terms, slots);
+  return evaluate<Kind::Shape>(group, x, terms, slots);
 }
 
 HEXFEATURE_CLONES GroupValue evaluate_worst(const Group& group, const double* x, const EnergyTerms& terms, double* slots) {
-  return evaluate<true>(group, x, terms, slots);
+  return evaluate<Kind::Worst>(group, x, terms, slots);
+}
+
+HEXFEATURE_CLONES GroupValue evaluate_mean(const Group& group, const double* x, const EnergyTerms& terms, double* slots) {
+  return evaluate<Kind::Mean>(group, x, terms, slots);
 }
 
 }  // namespace
 
 GroupValue evaluate_group(const Group& group, const double* x, const EnergyTerms& terms, double* slots) {
+  if (terms.mean) return evaluate_mean(group, x, terms, slots);
   return terms.power > 0 ? evaluate_worst(group, x, terms, slots) : evaluate_shape(group, x, terms, slots);
 }
 

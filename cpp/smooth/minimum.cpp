@@ -15,6 +15,7 @@ constexpr double kShortEdge = 0.06;  ///< of h: a mesh edge gets shorter than th
 constexpr double kLeastEdge = 0.05;  ///< ... and hardly shorter than this, unless it was
 constexpr double kGranted = 0.97;    ///< what "hardly" grants of a length, in one place
 constexpr std::array<double, 5> kPowers{12, 24, 48, 96, 192};
+constexpr double kPatience = 24;  ///< power by which the least one must have risen, where time is short
 
 using Corners = Eigen::Matrix<double, 3, 8>;
 using Frame = Eigen::Matrix<double, 8, 3>;  ///< corners * frame: the three edges at a corner, or the axes at the centre
@@ -80,7 +81,7 @@ class LeastScaledJacobian : public Objective {
       }
     }
     std::fill(gradient.begin(), gradient.end(), 0);
-    const double barriers = kSpans * patch_.energy->add_spans(x.data(), true, gradient.data());
+    const double barriers = kSpans * patch_.energy->add_spans(x.data(), true, 1, gradient.data());
     if (!(barriers < kInfinite)) return kInfinite;
     for (double& g : gradient) g *= kSpans;
     const double short_edges = add_short_edges(x, gradient);
@@ -158,8 +159,9 @@ class LeastScaledJacobian : public Objective {
   std::vector<double> value_;
 };
 
-/// Leaves the patch in its best state seen, on the CAD; returns how far the least scaled Jacobian rose.
-double raise(Patch& patch) {
+/// Leaves the patch in its best state seen, on the CAD; returns how far the least scaled Jacobian rose. Not `patient`: ends early where it
+/// does not rise.
+double raise(Patch& patch, bool patient) {
   const double h = patch.setting.options.size;
   patch.boundary->find_feet(patch.x);
   patch.boundary->snap(patch.x);
@@ -183,6 +185,7 @@ double raise(Patch& patch) {
     if (grade.inverted > 0 || !objective.allows(next)) break;
     patch.x = next;
     if (grade.min_sj > least) best = next, least = grade.min_sj;
+    if (!patient && power >= kPatience && !(least > start)) break;
   }
   patch.x = best;
   patch.boundary->find_feet(patch.x);
@@ -192,14 +195,14 @@ double raise(Patch& patch) {
 
 }  // namespace
 
-void raise_minimum(HexComplex& mesh, SmoothSetting& setting) {
+void raise_minimum(HexComplex& mesh, SmoothSetting& setting, bool worst_alone) {
   PlaceRules rules;
-  rules.limit = 0.32;
+  rules.limit = worst_alone ? 0 : 0.32;
   rules.goal = 0.9;
   rules.rings = 1;
   rules.least_gain = 0.002;
   rules.progress = 0.97;
-  lift_each_place(mesh, setting, rules, raise);
+  lift_each_place(mesh, setting, rules, [&](Patch& patch) { return raise(patch, !worst_alone); });
 }
 
 }  // namespace hexfeature

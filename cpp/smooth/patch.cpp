@@ -114,21 +114,26 @@ void Patch::write_back(HexComplex& mesh) const {
   }
 }
 
-std::vector<double> Patch::retract(const std::vector<double>& from, const std::vector<double>& moved) {
+std::vector<double> Patch::retract(const std::vector<double>& from, const std::vector<double>& moved, const std::vector<double>& floor) {
   std::vector<double> before, after, result = moved;
   measure(from, before);
   std::vector<double> fraction(nodes.size(), 1.0);
   std::vector<char> changed(nodes.size(), 1);
   constexpr int kHalvings = 6;
+  after.assign(hexes.size(), 0);
   for (int round = 0; round < 3 * kHalvings; ++round) {
     setting.context.check();
     boundary->find_feet(result, changed);
     boundary->snap(result);
-    measure(result, after);
+    setting.workers.run(static_cast<int>(hexes.size()), 256, [&](int begin, int end) {
+      for (int h = begin; h < end; ++h)
+        if (std::any_of(hexes[h].begin(), hexes[h].end(), [&](int v) { return changed[v] != 0; }))
+          after[h] = quality_of(result.data(), hexes[h]);
+    });
     std::fill(changed.begin(), changed.end(), 0);
     bool any = false;
     for (std::size_t h = 0; h < hexes.size(); ++h) {
-      if (after[h] > 0 || !(before[h] > 0)) continue;
+      if ((after[h] > 0 && (floor.empty() || after[h] >= floor[h])) || !(before[h] > 0)) continue;
       for (int v : hexes[h])
         if (fraction[v] > 0) changed[v] = 1, any = true;
     }

@@ -70,8 +70,9 @@ class Patch {
   /// Put points and parameters back into the mesh.
   void write_back(HexComplex& mesh) const;
   /// From a state on the CAD to `moved`, which has left it along tangents: every point on its CAD entity, as far along as no
-  /// element turns inverted that was not. Returns the new state; the boundary's feet are those of the result.
-  std::vector<double> retract(const std::vector<double>& from, const std::vector<double>& moved);
+  /// element turns inverted that was not, or falls below its scaled Jacobian in `floor` (none when empty), which it had. Returns the new
+  /// state; the boundary's feet are those of the result.
+  std::vector<double> retract(const std::vector<double>& from, const std::vector<double>& moved, const std::vector<double>& floor = {});
 
   SmoothSetting& setting;
   std::vector<int> nodes;                 ///< point of the mesh
@@ -120,13 +121,13 @@ int untangle_softly(Patch& patch);
 void slide(Patch& patch);
 /// (4): lift the worst elements. Requires a patch on the CAD and no inverted element.
 void lift_worst(HexComplex& mesh, SmoothSetting& setting);
-/// (5): the mean, which (4) may have spent on the worst element, as far as that one allows.
-void lift_mean(HexComplex& mesh, SmoothSetting& setting);
-/// (6): what (4) could not lift for some other place's sake: one bad place after the other, each with its neighbourhood alone.
+/// (5): what (4) could not lift for some other place's sake: one bad place after the other, each with its neighbourhood alone.
 void lift_places(HexComplex& mesh, SmoothSetting& setting);
-/// (7): the least scaled Jacobian itself, at one bad place after the other.
-void raise_minimum(HexComplex& mesh, SmoothSetting& setting);
-/// (8): the last bad elements, point by point, by their scaled Jacobian itself.
+/// (6): the least scaled Jacobian itself, at one bad place after the other; or at the mesh's worst alone, as long as that gains.
+void raise_minimum(HexComplex& mesh, SmoothSetting& setting, bool worst_alone = false);
+/// (7): the last bad elements, point by point, by their scaled Jacobian itself.
 void polish_worst(HexComplex& mesh, SmoothSetting& setting);
+/// The mean, which (4) may have spent on the worst element. That one stays as good as it is, and poor ones lose next to nothing.
+void lift_mean(HexComplex& mesh, SmoothSetting& setting);
 
 }  // namespace hexfeature

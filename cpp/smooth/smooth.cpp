@@ -111,14 +111,8 @@ double settle(HexComplex& mesh, SmoothSetting& setting) {
   return deviation;
 }
 
-}  // namespace
-
-SmoothReport smooth(HexComplex& mesh, const Projector& projector, const SmoothOptions& options, Context& context) {
-  check_input(mesh, options);
-  context.progress("smooth", 0);
-  SmoothReport report;
-  if (mesh.hexes.empty()) return report;
-  Workers workers(options.threads, context);
+SmoothSetting setting_for(const HexComplex& mesh, const Projector& projector, const SmoothOptions& options, Context& context,
+                          Workers& workers) {
   SmoothSetting setting{projector,
                         options,
                         context,
@@ -127,11 +121,37 @@ SmoothReport smooth(HexComplex& mesh, const Projector& projector, const SmoothOp
                         curve_spans(mesh, projector, options.size, context),
                         std::vector<char>(mesh.points.size(), 0)};
   for (int v : options.held) setting.held[v] = 1;
+  return setting;
+}
+
+Grade grade_all(const HexComplex& mesh, Workers& workers) {
   std::vector<double> quality;
   measure(mesh, workers, quality);
-  const Grade before = grade_of(quality);
-  report.min_sj_before = before.min_sj;
-  report.inverted_before = before.inverted;
+  return grade_of(quality);
+}
+
+void tell_before(const Grade& grade, SmoothReport& report) {
+  report.min_sj_before = grade.min_sj;
+  report.inverted_before = grade.inverted;
+}
+
+void tell_after(const Grade& grade, int hexes, SmoothReport& report) {
+  report.min_sj = grade.min_sj;
+  report.inverted = grade.inverted;
+  report.mean_sj = grade.sum_sj / hexes;
+}
+
+}  // namespace
+
+SmoothReport smooth(HexComplex& mesh, const Projector& projector, const SmoothOptions& options, Context& context) {
+  check_input(mesh, options);
+  context.progress("smooth", 0);
+  SmoothReport report;
+  if (mesh.hexes.empty()) return report;
+  Workers workers(options.threads, context);
+  SmoothSetting setting = setting_for(mesh, projector, options, context, workers);
+  const Grade before = grade_all(mesh, workers);
+  tell_before(before, report);
 
   Patch all = what_moves(mesh, setting);
   report.deviation = all.boundary->find_feet(all.x);
@@ -142,7 +162,6 @@ SmoothReport smooth(HexComplex& mesh, const Projector& projector, const SmoothOp
     all.write_back(mesh);
     if (options.worst_stage) {
       lift_worst(mesh, setting);
-      if (options.around.empty() && !options.brief) lift_mean(mesh, setting);
       lift_places(mesh, setting);
       raise_minimum(mesh, setting);
       polish_worst(mesh, setting);
@@ -150,12 +169,22 @@ SmoothReport smooth(HexComplex& mesh, const Projector& projector, const SmoothOp
     report.deviation = settle(mesh, setting);
   }
 
-  measure(mesh, workers, quality);
-  const Grade after = grade_of(quality);
-  report.min_sj = after.min_sj;
-  report.inverted = after.inverted;
-  report.mean_sj = after.sum_sj / mesh.hex_count();
+  tell_after(grade_all(mesh, workers), mesh.hex_count(), report);
   context.progress("smooth", 1);
+  return report;
+}
+
+SmoothReport smooth_mean(HexComplex& mesh, const Projector& projector, const SmoothOptions& options, Context& context) {
+  check_input(mesh, options);
+  SmoothReport report;
+  if (mesh.hexes.empty()) return report;
+  Workers workers(options.threads, context);
+  SmoothSetting setting = setting_for(mesh, projector, options, context, workers);
+  tell_before(grade_all(mesh, workers), report);
+  lift_mean(mesh, setting);
+  raise_minimum(mesh, setting, true);
+  report.deviation = settle(mesh, setting);
+  tell_after(grade_all(mesh, workers), mesh.hex_count(), report);
   return report;
 }
 

@@ -15,8 +15,8 @@ struct SmoothOptions {
   bool worst_stage = true;     ///< the stage that lifts the worst element
   int threads = 2;             ///< results do not depend on it, bit for bit
   double least_target = 0.25;  ///< elements want to be no smaller than this many h
-  bool brief = false;  ///< lift the mass of poor elements only a little, the mean not at all: where most are poor that takes the most time
-  std::vector<int> held;  ///< points that stay where they are; they must lie on their CAD entity already
+  bool brief = false;          ///< lift the mass of poor elements only a little: where most are poor that takes the most time
+  std::vector<int> held;       ///< points that stay where they are; they must lie on their CAD entity already
   /// Of a smoothed mesh only these points are new: untangling and sliding move what is near them, the stages after that bad elements
   /// wherever they are. Empty: everything.
   std::vector<int> around;
@@ -32,5 +32,9 @@ struct SmoothReport {
 /// Untangle and smooth (design 3.9, experiments B5). Boundary nodes slide on their CAD entity (place.dim 0 fixed, 1 on the curve,
 /// 2 on the surface) and end exactly on it; place.uv is kept up to date. Changes points and place only. Deterministic.
 SmoothReport smooth(HexComplex& complex, const Projector& projector, const SmoothOptions& options, Context& context);
+
+/// Lift the mean scaled Jacobian of a smoothed mesh without inverted elements. The worst element stays as good as it is, and poor ones lose
+/// next to nothing. Points slide as they do in `smooth`, so what the mesh keeps of the CAD may change a little.
+SmoothReport smooth_mean(HexComplex& complex, const Projector& projector, const SmoothOptions& options, Context& context);
 
 }  // namespace hexfeature

@@ -77,18 +77,6 @@ void lift_worst(HexComplex& mesh, SmoothSetting& setting) {
   }
 }
 
-void lift_mean(HexComplex& mesh, SmoothSetting& setting) {
-  constexpr double kLimit = 0.95, kKeep = 0.99;
-  std::vector<double> quality;
-  measure(mesh, setting.workers, quality);
-  const double worst = *std::min_element(quality.begin(), quality.end());
-  if (!(worst > 0) || worst >= kLimit) return;
-  Patch patch(mesh, points_near(mesh, 2, [&](int h) { return quality[h] < kLimit; }), setting);
-  const double count = static_cast<double>(patch.hexes.size());
-  const auto merit = [&](const Grade& g) { return g.min_sj >= kKeep * worst ? g.sum_sj / count : -1; };
-  if (sweep(patch, {2, 2, 2, 2}, merit) > 0) patch.write_back(mesh);
-}
-
 void lift_each_place(HexComplex& mesh, SmoothSetting& setting, const PlaceRules& rules, const std::function<double(Patch&)>& lift) {
   constexpr int kPlaces = 60;
   std::vector<double> quality;

@@ -126,6 +126,23 @@ TEST_CASE("quads beside a smooth border go to the face that they cover best") {
   CHECK(cover_faces(c, part.surface(), part.geometry(), 1, context) == 0);
 }
 
+TEST_CASE("gaps of points are told wherever they are, in the same order for every mesh") {
+  const SplitBox part(1.25);
+  HexComplex c = part.mesh(2);
+  const std::vector<PointGap> before = point_gaps(c, part.surface(), part.geometry(), 1, context);
+  cover_faces(c, part.surface(), part.geometry(), 1, context);
+  const std::vector<PointGap> after = point_gaps(c, part.surface(), part.geometry(), 1, context);
+  REQUIRE(before.size() == after.size());
+  double largest[2] = {0, 0};
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    CHECK(before[i].point == after[i].point);
+    largest[0] = std::max(largest[0], before[i].gap);
+    largest[1] = std::max(largest[1], after[i].gap);
+  }
+  CHECK(largest[0] == doctest::Approx(0.75));
+  CHECK(largest[1] == doctest::Approx(0.25));
+}
+
 TEST_CASE("quads along a followed sharp edge stay on its face") {
   const SplitBox part(1.25);
   HexComplex c = part.mesh(2);
