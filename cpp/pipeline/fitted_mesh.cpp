@@ -105,8 +105,9 @@ void lift_trial_mean(SheetTrial& trial, const SolidTask& task) {
     run.context.log("mean SJ " + std::to_string(trial.smoothing.mean_sj) + " -> " + std::to_string(other.smoothing.mean_sj) + ", " +
                     std::to_string(smoothing.held.size()) + " points held");
     if (other.smoothing.inverted > 0 || !(other.smoothing.mean_sj > trial.smoothing.mean_sj)) return;
-    cover_faces(other.mesh, run.result.surface, geometry, run.options.size, run.context);
     std::vector<Vec3> opened = opened_gaps(trial.mesh, other.mesh, task);
+    if (!opened.empty() && cover_faces(other.mesh, run.result.surface, geometry, run.options.size, run.context) > 0)
+      opened = opened_gaps(trial.mesh, other.mesh, task);
     if (opened.empty()) {
       other.worth = worth_of(other.mesh, other.smoothing, task);
       other.worth.lost_at_first = trial.worth.lost_at_first;
