@@ -1281,6 +1281,10 @@ skalierte Jacobi-Zahl: schlechteste %(worst)s, mittlere %(mean)s</translation>
       <translation>erst den Ordner anlegen</translation>
     </message>
     <message>
+      <source>mean SJ %1 -&gt; %2, %3 points held</source>
+      <translation>mittlere SJ %1 -&gt; %2, %3 Punkte gehalten</translation>
+    </message>
+    <message>
       <source>measuring</source>
       <translation>Messen</translation>
     </message>
