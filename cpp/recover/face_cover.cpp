@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "mesh/hex_element.h"
+#include "mesh/incidence.h"
 #include "mesh/triangle_tree.h"
 
 namespace hexfeature {
@@ -119,28 +120,6 @@ class SmoothNeighbours {
 
  private:
   std::vector<std::pair<int, int>> pairs_;
-};
-
-/// The elements at each point.
-class Incidence {
- public:
-  template <std::size_t N>
-  Incidence(const std::vector<std::array<int, N>>& elements, std::size_t points) : begin_(points + 1, 0) {
-    for (const auto& e : elements)
-      for (int v : e) ++begin_[v + 1];
-    for (std::size_t v = 0; v < points; ++v) begin_[v + 1] += begin_[v];
-    elements_.resize(begin_.back());
-    std::vector<int> next(begin_.begin(), begin_.end() - 1);
-    for (std::size_t i = 0; i < elements.size(); ++i)
-      for (int v : elements[i]) elements_[next[v]++] = static_cast<int>(i);
-  }
-  template <class Visit>
-  void visit(int v, const Visit& visit) const {
-    for (int i = begin_[v]; i < begin_[v + 1]; ++i) visit(elements_[i]);
-  }
-
- private:
-  std::vector<int> begin_, elements_;
 };
 
 /// Quads that must keep their face: they lie along a sharp edge of it.
@@ -271,10 +250,10 @@ std::vector<int> draw_to_gaps(HexComplex& mesh, const SurfaceMesh& surface, cons
   const Incidence hexes_at(mesh.hexes, mesh.points.size()), quads_at(mesh.quads, mesh.points.size());
   const auto worst_at = [&](int v) {
     double least = 1;
-    hexes_at.visit(v, [&](int h) {
+    for (int h : hexes_at.at(v)) {
       const auto& hex = mesh.hexes[h];
       least = std::min(least, proves_positive(mesh.points, hex) ? scaled_jacobian(mesh.points, hex) : -1.0);
-    });
+    }
     return least;
   };
   const double too_long = kTooLong * size;
@@ -302,9 +281,8 @@ std::vector<int> draw_to_gaps(HexComplex& mesh, const SurfaceMesh& surface, cons
       // A gap that a neighbour's move has closed already needs no other.
       const auto gap_at = [&](int v) {
         double least = std::numeric_limits<double>::infinity();
-        quads_at.visit(v, [&](int q) {
+        for (int q : quads_at.at(v))
           if (mesh.quad_face[q] == s.face) least = std::min(least, cover.distance2(s.point, q));
-        });
         return std::sqrt(least);
       };
       double gap = std::numeric_limits<double>::infinity();

@@ -179,7 +179,7 @@ double raise(Patch& patch, bool patient) {
     if (!std::isfinite(objective.evaluate(patch.x, gradient))) break;
     patch.boundary->hold_at_rims(gradient);
     std::vector<double> moved = patch.x;
-    Lbfgs(static_cast<int>(moved.size()), patch.setting.workers).descend(objective, moved, options);
+    Lbfgs(static_cast<int>(moved.size()), patch.workers).descend(objective, moved, options);
     std::vector<double> next = patch.retract(patch.x, moved);
     const Grade grade = patch.grade(next);
     if (grade.inverted > 0 || !objective.allows(next)) break;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "mesh/hex_element.h"
 
@@ -47,17 +48,28 @@ Patch Patch::whole(const HexComplex& mesh, SmoothSetting& setting) {
   return Patch(mesh, std::vector<char>(mesh.points.size(), 1), setting);
 }
 
-Patch::Patch(const HexComplex& mesh, const std::vector<char>& free_points, SmoothSetting& setting_) : setting(setting_) {
-  std::vector<int> own(mesh.points.size(), -1);
+namespace {
+
+std::vector<int> elements_of(const HexComplex& mesh, const std::vector<char>& points) {
+  std::vector<int> elements;
   for (int h = 0; h < mesh.hex_count(); ++h)
-    if (std::any_of(mesh.hexes[h].begin(), mesh.hexes[h].end(), [&](int v) { return free_points[v] != 0; })) elements.push_back(h);
-  for (int h : elements)
-    for (int v : mesh.hexes[h]) own[v] = 0;
-  for (int v = 0; v < mesh.point_count(); ++v)
-    if (own[v] == 0) {
-      own[v] = static_cast<int>(nodes.size());
-      nodes.push_back(v);
-    }
+    if (std::any_of(mesh.hexes[h].begin(), mesh.hexes[h].end(), [&](int v) { return points[v] != 0; })) elements.push_back(h);
+  return elements;
+}
+
+}  // namespace
+
+Patch::Patch(const HexComplex& mesh, const std::vector<char>& free_points, SmoothSetting& setting_)
+    : Patch(mesh, free_points, elements_of(mesh, free_points), setting_, setting_.workers) {}
+
+Patch::Patch(const HexComplex& mesh, const std::vector<char>& free_points, std::vector<int> elements_, SmoothSetting& setting_,
+             Workers& workers_)
+    : setting(setting_), workers(workers_), elements(std::move(elements_)) {
+  for (int h : elements) nodes.insert(nodes.end(), mesh.hexes[h].begin(), mesh.hexes[h].end());
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  std::vector<int> own(mesh.points.size(), -1);
+  for (std::size_t i = 0; i < nodes.size(); ++i) own[nodes[i]] = static_cast<int>(i);
   setting.context.check();
   std::vector<CadPlace> place;
   for (int v : nodes) {
@@ -80,8 +92,8 @@ Patch::Patch(const HexComplex& mesh, const std::vector<char>& free_points, Smoot
     least.push_back(std::max(edge > 0.0505 * h ? 0.05 * h : 0.9 * edge, 1e-9 * size));
   }
   setting.context.check();
-  boundary = std::make_unique<Boundary>(place, free, setting.projector, setting.options.size, setting.workers, setting.context);
-  energy = std::make_unique<HexEnergy>(hexes, static_cast<int>(nodes.size()), target, shortest, least, thorough, setting.workers);
+  boundary = std::make_unique<Boundary>(place, free, setting.projector, setting.options.size, workers, setting.context);
+  energy = std::make_unique<HexEnergy>(hexes, static_cast<int>(nodes.size()), target, shortest, least, thorough, workers);
   setting.context.check();
   std::vector<Span> spans;
   for (const Span& s : setting.spans)
@@ -92,7 +104,7 @@ Patch::Patch(const HexComplex& mesh, const std::vector<char>& free_points, Smoot
 
 void Patch::measure(const std::vector<double>& at, std::vector<double>& quality) const {
   quality.resize(hexes.size());
-  setting.workers.run(static_cast<int>(hexes.size()), 256, [&](int begin, int end) {
+  workers.run(static_cast<int>(hexes.size()), 256, [&](int begin, int end) {
     for (int h = begin; h < end; ++h) quality[h] = quality_of(at.data(), hexes[h]);
   });
 }
@@ -169,7 +181,7 @@ double PatchObjective::evaluate(const std::vector<double>& x, std::vector<double
 }
 
 void PatchObjective::precondition(std::vector<double>& r) const {
-  patch_.setting.workers.run(static_cast<int>(patch_.nodes.size()), 2048, [&](int begin, int end) {
+  patch_.workers.run(static_cast<int>(patch_.nodes.size()), 2048, [&](int begin, int end) {
     for (int v = begin; v < end; ++v) {
       const double* m = inverse_.data() + 6 * v;
       double* g = r.data() + 3 * v;

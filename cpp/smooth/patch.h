@@ -61,6 +61,8 @@ class Patch {
  public:
   /// `free` per point of the mesh; the elements are those that have a free point.
   Patch(const HexComplex& mesh, const std::vector<char>& free, SmoothSetting& setting);
+  /// The same where those elements are known, in rising order; the stage's loops are shared by `workers`.
+  Patch(const HexComplex& mesh, const std::vector<char>& free, std::vector<int> elements, SmoothSetting& setting, Workers& workers);
   static Patch whole(const HexComplex& mesh, SmoothSetting& setting);
 
   Grade grade() const { return grade(x); }
@@ -75,6 +77,7 @@ class Patch {
   std::vector<double> retract(const std::vector<double>& from, const std::vector<double>& moved, const std::vector<double>& floor = {});
 
   SmoothSetting& setting;
+  Workers& workers;
   std::vector<int> nodes;                 ///< point of the mesh
   std::vector<int> elements;              ///< element of the mesh
   std::vector<std::array<int, 8>> hexes;  ///< in own numbers
@@ -112,7 +115,8 @@ struct PlaceRules {
   double progress = 0;    ///< of the whole of smoothing, at the first place
 };
 
-/// The worst element with its neighbourhood alone, then the next one, at most sixty. `lift` changes a patch and returns what is gained.
+/// The worst element with its neighbourhood alone, then the next one, at most sixty; those that are about as bad and share nothing at
+/// once. `lift` changes a patch and returns what is gained; it is called from several threads.
 void lift_each_place(HexComplex& mesh, SmoothSetting& setting, const PlaceRules& rules, const std::function<double(Patch&)>& lift);
 
 /// (2) of experiments B5: penalised untangling rounds. Returns the number of rounds.

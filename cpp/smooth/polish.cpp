@@ -1,9 +1,9 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 #include "mesh/hex_element.h"
+#include "mesh/incidence.h"
 #include "smooth/patch.h"
 
 namespace hexfeature {
@@ -21,15 +21,8 @@ constexpr int kMost = 400;  ///< elements of a round
 /// Jacobians is not smooth, and no power mean of a shape energy has its maximum in the same place.
 class Polish {
  public:
-  Polish(HexComplex& mesh, SmoothSetting& setting, std::vector<double>& quality) : mesh_(mesh), setting_(setting), quality_(quality) {
-    begin_.assign(mesh.points.size() + 1, 0);
-    for (const auto& hex : mesh.hexes)
-      for (int v : hex) ++begin_[v + 1];
-    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-    hexes_.resize(begin_.back());
-    std::vector<int> fill(begin_.begin(), begin_.end() - 1);
-    for (int h = 0; h < mesh.hex_count(); ++h)
-      for (int v : mesh.hexes[h]) hexes_[fill[v]++] = h;
+  Polish(HexComplex& mesh, SmoothSetting& setting, std::vector<double>& quality)
+      : mesh_(mesh), setting_(setting), quality_(quality), hexes_(mesh.hexes, mesh.points.size()) {
     start_ = mesh.points;
     settled_.assign(mesh.points.size(), 0);
     spans_.resize(mesh.points.size());
@@ -78,16 +71,16 @@ class Polish {
         const double length = way.norm();
         if (length >= kLeast * h || setting_.held[v] != 0 || mesh_.place[v].dim == 0 || !(length > 0)) return;
         double before = 1;
-        for (int i = begin_[v]; i < begin_[v + 1]; ++i) before = std::min(before, quality_[hexes_[i]]);
+        for (int e : hexes_.at(v)) before = std::min(before, quality_[e]);
         const double shortest = std::min(shortest_edge(v), kLeast * h), bearable = std::max({before - kLoss, worst - kWorstLoss, 1e-6});
         const double most_excess = excess(v);
         Vec2 uv = mesh_.place[v].uv;
         mesh_.points[v] = on_part(v, old + ((kLeast + kSpare) * h / length - 1) * way, uv);
         const double now = (mesh_.points[v] - mesh_.points[other]).norm();
         if (now >= kLeast * h && shortest_edge(v) >= shortest && excess(v) <= most_excess &&
-            measured_round(v, hexes_[begin_[v]], -1) >= bearable) {
+            measured_round(v, *hexes_.at(v).begin(), -1) >= bearable) {
           mesh_.place[v].uv = uv;
-          for (int i = begin_[v]; i < begin_[v + 1]; ++i) quality_[hexes_[i]] = measured(hexes_[i]);
+          for (int e : hexes_.at(v)) quality_[e] = measured(e);
         } else {
           mesh_.points[v] = old;
         }
@@ -107,15 +100,15 @@ class Polish {
   /// Least quality round v with the point where it is now, the element `first` looked at first; stops counting at `enough` or below.
   double measured_round(int v, int first, double enough) const {
     double worst = measured(first);
-    for (int i = begin_[v]; i < begin_[v + 1] && worst > enough; ++i)
-      if (hexes_[i] != first) worst = std::min(worst, measured(hexes_[i]));
+    for (int e : hexes_.at(v))
+      if (e != first && worst > enough) worst = std::min(worst, measured(e));
     return worst;
   }
 
   double shortest_edge(int v) const {
     double shortest = 1e300;
-    for (int i = begin_[v]; i < begin_[v + 1]; ++i) {
-      const auto& hex = mesh_.hexes[hexes_[i]];
+    for (int e : hexes_.at(v)) {
+      const auto& hex = mesh_.hexes[e];
       const auto corner = std::find(hex.begin(), hex.end(), v) - hex.begin();
       for (int k = 1; k < 4; ++k) shortest = std::min(shortest, (mesh_.points[hex[kHexCorners[corner][k]]] - mesh_.points[v]).norm());
     }
@@ -162,8 +155,8 @@ class Polish {
   bool improve(int v) {
     if (setting_.held[v] != 0 || settled_[v] != 0) return false;
     settled_[v] = 1;
-    const int worst = *std::min_element(hexes_.begin() + begin_[v], hexes_.begin() + begin_[v + 1],
-                                        [&](int a, int b) { return quality_[a] < quality_[b]; });
+    const Incidence::Range round = hexes_.at(v);
+    const int worst = *std::min_element(round.begin(), round.end(), [&](int a, int b) { return quality_[a] < quality_[b]; });
     double best = quality_[worst];
     if (best >= kLimit) return false;
     const std::vector<Vec3> free = axes(v);
@@ -194,9 +187,9 @@ class Polish {
       moved |= better;
     }
     if (!moved) return false;
-    for (int i = begin_[v]; i < begin_[v + 1]; ++i) {
-      quality_[hexes_[i]] = measured(hexes_[i]);
-      for (int w : mesh_.hexes[hexes_[i]]) settled_[w] = 0;
+    for (int e : round) {
+      quality_[e] = measured(e);
+      for (int w : mesh_.hexes[e]) settled_[w] = 0;
     }
     return true;
   }
@@ -204,8 +197,8 @@ class Polish {
   HexComplex& mesh_;
   SmoothSetting& setting_;
   std::vector<double>& quality_;
-  std::vector<int> begin_, hexes_;  ///< the elements round each point
-  std::vector<char> settled_;       ///< points that could not be moved since their elements changed last
+  Incidence hexes_;
+  std::vector<char> settled_;  ///< points that could not be moved since their elements changed last
   std::vector<Vec3> start_;
   std::vector<std::vector<const Span*>> spans_;  ///< at each point
 };

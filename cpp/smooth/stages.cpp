@@ -73,7 +73,7 @@ int untangle_softly(Patch& patch) {
   EnergyTerms terms;
   terms.theta = options.theta;
   terms.epsilon_squared = std::numeric_limits<double>::infinity();
-  Lbfgs descent(static_cast<int>(patch.x.size()), patch.setting.workers);
+  Lbfgs descent(static_cast<int>(patch.x.size()), patch.workers);
   std::vector<double> snapped;
   Standstill standstill;
   for (int round = 0; round < options.untangle_rounds; ++round) {
@@ -103,7 +103,7 @@ void slide(Patch& patch) {
   Best best;
   best.offer(patch);
   std::vector<double> gradient(patch.x.size());
-  Lbfgs descent(static_cast<int>(patch.x.size()), patch.setting.workers);
+  Lbfgs descent(static_cast<int>(patch.x.size()), patch.workers);
   double drift = 0.3 * h;
   int left = 200;
   while (left > 0 && drift > 1e-3 * h) {

@@ -2,6 +2,7 @@
 #include "smooth/workers.h"
 
 #include <algorithm>
+#include <atomic>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
@@ -10,13 +11,33 @@
 #include <vector>
 
 namespace hexfeature {
+namespace {
+
+/// Waking a thread that sleeps takes longer than most loops over some thousand elements, and the next loop is mostly some microseconds
+/// away: who waits looks a while before it sleeps. Where there are more threads than processors, it lets the others go first.
+template <class Condition>
+void look_a_while(const Condition& condition) {
+  constexpr int kRounds = 40, kLooks = 16;
+  for (int round = 0; round < kRounds; ++round) {
+    for (int look = 0; look < kLooks; ++look) {
+      if (condition()) return;
+#if defined(__x86_64__) && defined(__GNUC__)
+      __builtin_ia32_pause();
+#endif
+    }
+    std::this_thread::yield();
+  }
+}
+
+}  // namespace
 
 struct Workers::State {
   std::vector<std::thread> threads;
   std::mutex mutex;
   std::condition_variable begin, done;
-  int generation = 0, running = 0, count = 0, pieces = 1;
-  bool stop = false;
+  std::atomic<int> generation{0}, running{0};
+  int count = 0, pieces = 1;
+  std::atomic<bool> stop{false};
   void (*call)(const void*, int, int) = nullptr;
   const void* body = nullptr;
   std::exception_ptr error;
@@ -33,6 +54,7 @@ struct Workers::State {
   void work(int index) {
     int seen = 0;
     for (;;) {
+      look_a_while([&] { return stop || generation != seen; });
       {
         std::unique_lock<std::mutex> lock(mutex);
         begin.wait(lock, [&] { return stop || generation != seen; });
@@ -40,8 +62,9 @@ struct Workers::State {
         seen = generation;
       }
       piece(index);
+      if (--running > 0) continue;
       const std::lock_guard<std::mutex> lock(mutex);
-      if (--running == 0) done.notify_one();
+      done.notify_one();
     }
   }
 };
@@ -81,6 +104,7 @@ void Workers::run_pieces(int count, void (*call)(const void*, int, int), const v
   }
   s.begin.notify_all();
   s.piece(0);
+  look_a_while([&] { return s.running == 0; });
   std::unique_lock<std::mutex> lock(s.mutex);
   s.done.wait(lock, [&] { return s.running == 0; });
   if (s.error) std::rethrow_exception(s.error);

@@ -1,8 +1,11 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 #include <vector>
 
+#include "mesh/incidence.h"
 #include "smooth/patch.h"
 
 namespace hexfeature {
@@ -32,7 +35,7 @@ double sweep(Patch& patch, const std::vector<int>& powers, Merit merit) {
     options.step_limit = 0.1 * h;
     options.floor = patch.energy->floor(terms);
     std::vector<double> moved = patch.x;
-    Lbfgs(static_cast<int>(moved.size()), patch.setting.workers).descend(objective, moved, options);
+    Lbfgs(static_cast<int>(moved.size()), patch.workers).descend(objective, moved, options);
     // Off the tangents some elements may get worse: then go less far.
     std::vector<double> next;
     Grade grade;
@@ -77,28 +80,88 @@ void lift_worst(HexComplex& mesh, SmoothSetting& setting) {
   }
 }
 
+namespace {
+
+/// A bad element and what moves with it.
+struct Place {
+  int worst;
+  std::unique_ptr<Patch> patch;
+  double gain = 0;
+};
+
+/// The elements round one that is bad, in rising order: those that have a point of it or of `rings` more elements. These points are free.
+std::vector<int> neighbourhood(const HexComplex& mesh, const Incidence& incidence, int bad, int rings, std::vector<char>& free) {
+  std::vector<int> elements{bad}, points;
+  std::vector<char> inside(mesh.hexes.size(), 0);
+  inside[bad] = 1;
+  std::size_t next_element = 0, next_point = 0;
+  for (int ring = 0; ring <= rings; ++ring) {
+    for (; next_element < elements.size(); ++next_element)
+      for (int v : mesh.hexes[elements[next_element]])
+        if (!free[v]) free[v] = 1, points.push_back(v);
+    for (; next_point < points.size(); ++next_point)
+      for (int h : incidence.at(points[next_point]))
+        if (!inside[h]) inside[h] = 1, elements.push_back(h);
+  }
+  std::sort(elements.begin(), elements.end());
+  return elements;
+}
+
+/// The worst elements below `limit` that are not settled, with their neighbourhoods, as long as these share no element with each other. At
+/// most kTogether, whatever the number of threads; above the rules' limit, where only the mesh's worst element counts, about as bad ones.
+std::vector<Place> worst_places(const HexComplex& mesh, const Incidence& incidence, const std::vector<double>& quality,
+                                const std::vector<char>& settled, double limit, const PlaceRules& rules, SmoothSetting& setting,
+                                Workers& alone) {
+  constexpr int kTogether = 4, kTries = 12;
+  constexpr double kAsBad = 0.01;
+  std::vector<Place> places;
+  std::vector<char> passed = settled, taken(mesh.hexes.size(), 0);
+  for (int tries = 0; tries < kTries && places.size() < kTogether; ++tries) {
+    int worst = -1;
+    for (int h = 0; h < mesh.hex_count(); ++h)
+      if (!passed[h] && quality[h] > 0 && quality[h] < limit && (worst < 0 || quality[h] < quality[worst])) worst = h;
+    if (worst < 0) break;
+    passed[worst] = 1;
+    if (places.empty()) limit = std::min(limit, std::max(rules.limit, quality[worst] + kAsBad));
+    std::vector<char> free(mesh.points.size(), 0);
+    std::vector<int> elements = neighbourhood(mesh, incidence, worst, rules.rings, free);
+    if (std::any_of(elements.begin(), elements.end(), [&](int h) { return taken[h] != 0; })) continue;
+    for (int h : elements) taken[h] = 1;
+    places.push_back({worst, std::make_unique<Patch>(mesh, free, std::move(elements), setting, alone)});
+  }
+  return places;
+}
+
+}  // namespace
+
 void lift_each_place(HexComplex& mesh, SmoothSetting& setting, const PlaceRules& rules, const std::function<double(Patch&)>& lift) {
   constexpr int kPlaces = 60;
   std::vector<double> quality;
   measure(mesh, setting.workers, quality);
   std::vector<char> settled(mesh.hexes.size(), 0);
+  const Incidence incidence(mesh.hexes, mesh.points.size());
+  Workers alone(1, setting.context);
   double limit = rules.goal;
-  for (int place = 0; place < kPlaces; ++place) {
-    setting.context.progress("smooth", rules.progress + 0.02 * place / kPlaces);
-    int worst = -1;
-    for (int h = 0; h < mesh.hex_count(); ++h)
-      if (!settled[h] && quality[h] > 0 && quality[h] < limit && (worst < 0 || quality[h] < quality[worst])) worst = h;
-    if (worst < 0) return;
-    Patch patch(mesh, points_near(mesh, rules.rings, [&](int h) { return h == worst; }), setting);
-    if (lift(patch) < rules.least_gain) {
-      settled[worst] = 1;
-      limit = rules.limit;  // the mesh's worst element stays what it is
-      continue;
+  for (int done = 0; done < kPlaces;) {
+    setting.context.progress("smooth", rules.progress + 0.02 * done / kPlaces);
+    std::vector<Place> places = worst_places(mesh, incidence, quality, settled, limit, rules, setting, alone);
+    if (places.empty()) return;
+    setting.workers.run(static_cast<int>(places.size()), 2, [&](int begin, int end) {
+      for (int i = begin; i < end; ++i) places[i].gain = lift(*places[i].patch);
+    });
+    for (const Place& place : places) {
+      if (done == kPlaces || !(quality[place.worst] < limit)) break;
+      ++done;
+      if (place.gain < rules.least_gain) {
+        settled[place.worst] = 1;
+        limit = rules.limit;  // the mesh's worst element stays what it is
+        continue;
+      }
+      place.patch->write_back(mesh);
+      std::vector<double> now;
+      place.patch->measure(place.patch->x, now);
+      for (std::size_t i = 0; i < now.size(); ++i) quality[place.patch->elements[i]] = now[i];
     }
-    patch.write_back(mesh);
-    std::vector<double> now;
-    patch.measure(patch.x, now);
-    for (std::size_t i = 0; i < now.size(); ++i) quality[patch.elements[i]] = now[i];
   }
 }
 
