@@ -321,6 +321,10 @@ skalierte Jacobi-Zahl: schlechteste %(worst)s, mittlere %(mean)s</translation>
       <translation>%1 Punktfolgen an CAD-Kanten gebunden</translation>
     </message>
     <message>
+      <source>%1 sharp CAD edges have no mesh edges</source>
+      <translation>%1 scharfe CAD-Kanten haben keine Netzkanten</translation>
+    </message>
+    <message>
       <source>%1 sites, %2 expansions, %3 label sets scored, %4 filled</source>
       <translation>%1 Gebiete, %2 Schritte, %3 Belegungen bewertet, %4 gefüllt</translation>
     </message>

@@ -62,13 +62,20 @@ class BorderSegments {
   std::vector<Segment> segments_;
 };
 
+bool is_of_solid(const Geometry& geometry, int face, int solid) { return face > 0 && (solid == 0 || geometry.face(face).solid == solid); }
+
+/// The edges that a mesh has to follow.
+bool counts(const Geometry& geometry, const CadEdge& edge, int solid) {
+  return edge.sharp && !edge.seam && !edge.degenerate && is_of_solid(geometry, edge.faces[0], solid);
+}
+
 }  // namespace
 
 Faithfulness measure_faithfulness(const HexComplex& mesh, const Geometry& geometry, int solid, const SurfaceMesh* surface, double size,
                                   const Context& context) {
   Faithfulness result;
   const int faces = static_cast<int>(geometry.faces->size()), edges = static_cast<int>(geometry.edges->size());
-  const auto of_solid = [&](int face) { return face > 0 && (solid == 0 || geometry.face(face).solid == solid); };
+  const auto of_solid = [&](int face) { return is_of_solid(geometry, face, solid); };
 
   std::vector<char> has_quads(faces + 1, 0);
   for (int f : mesh.quad_face)
@@ -81,7 +88,7 @@ Faithfulness measure_faithfulness(const HexComplex& mesh, const Geometry& geomet
   for (int id = 1; id <= edges; ++id) {
     context.check();
     const CadEdge& edge = geometry.edge(id);
-    if (!edge.sharp || edge.seam || edge.degenerate || !of_solid(edge.faces[0])) continue;
+    if (!counts(geometry, edge, solid)) continue;
     const double followed = borders.follow(mesh, geometry, id, size);
     total += edge.length;
     lost += (1 - followed) * edge.length;
@@ -116,6 +123,24 @@ Faithfulness measure_faithfulness(const HexComplex& mesh, const Geometry& geomet
     }
   }
   return result;
+}
+
+EdgesLeftOut sharp_edges_left_out(const HexComplex& mesh, const Geometry& geometry, int solid) {
+  std::vector<char> has_mesh_edges(geometry.edges->size() + 1, 0);
+  for (int e : mesh.feature_edge_cad)
+    if (e > 0) has_mesh_edges[e] = 1;
+  EdgesLeftOut left_out;
+  double total = 0, length = 0;
+  for (int id = 1; id <= static_cast<int>(geometry.edges->size()); ++id) {
+    const CadEdge& edge = geometry.edge(id);
+    if (!counts(geometry, edge, solid)) continue;
+    total += edge.length;
+    if (has_mesh_edges[id]) continue;
+    length += edge.length;
+    left_out.edges.push_back(id);
+  }
+  if (total > 0) left_out.share = length / total;
+  return left_out;
 }
 
 }  // namespace hexfeature

@@ -30,4 +30,11 @@ struct Faithfulness {
 Faithfulness measure_faithfulness(const HexComplex& mesh, const Geometry& geometry, int solid, const SurfaceMesh* surface, double size,
                                   const Context& context);
 
+/// The sharp edges that have no mesh edges of their own in a fitted mesh.
+struct EdgesLeftOut {
+  std::vector<int> edges;  ///< 1-based CAD edges
+  double share = 0;        ///< of the sharp edges' length, 0..1
+};
+EdgesLeftOut sharp_edges_left_out(const HexComplex& mesh, const Geometry& geometry, int solid);
+
 }  // namespace hexfeature

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "base/share.h"
 #include "fit/fit.h"
+#include "pipeline/faithfulness.h"
 #include "pipeline/second_looks.h"
 
 namespace hexfeature {
@@ -16,6 +18,10 @@ namespace {
 
 /// With another method to come, elements that may be folded by the fit alone: sheets and smoothing hardly ever put so many right.
 constexpr int kFoldedByFit = 120;
+
+/// With another method to come, the share of the sharp edges' length that the fit may leave without mesh edges: second looks bring back
+/// some edges, never many.
+constexpr double kLeftOutByFit = 0.025;
 
 /// Elements of all the meshes of one labelling that stay inverted before it is given up, with another method to come and without.
 constexpr int kVainWork = 12000, kVainWorkAlone = 45000;
@@ -101,9 +107,21 @@ MeshingError folded_for_good(const HexComplex& complex, int count) {
           "try another element size, or simplify the faces named", faces_near_inverted(complex)};
 }
 
+LeavesOutEdges leaves_out(const std::vector<int>& edges, const Geometry& geometry) {
+  std::set<int> faces;
+  for (int e : edges)
+    for (int f : geometry.edge(e).faces)
+      if (f > 0) faces.insert(f);
+  return {Failure::NoMesh,
+          "fit",
+          std::to_string(edges.size()) + " sharp CAD edges have no mesh edges",
+          "try a smaller element size, or simplify the faces named",
+          {faces.begin(), faces.end()}};
+}
+
 /// Boundary fitting, sheets and smoothing, first with free turns; where elements stay inverted with these, without. Where elements stay
 /// inverted, again without the inner CAD edges beside them, as long as that makes fewer. Throws MeshingError(NoMesh, "smooth") when some
-/// stay.
+/// stay. With another method to come, a fit that folds many elements or leaves out many sharp edges is given up at once.
 SheetTrial fit_and_smooth(const MadeFrom& made_from) {
   const auto& [task, mesh, shape, lattice] = made_from;
   Run& run = task.run;
@@ -116,6 +134,7 @@ SheetTrial fit_and_smooth(const MadeFrom& made_from) {
   SheetRules rules;
   rules.another_way = run.another_way();
   int vain = 0;
+  std::optional<MeshingError> folded_with_turns;
   for (int round = 1, least = std::numeric_limits<int>::max();; ++round) {
     run.begin("fit");
     HexComplex complex = lattice.complex;
@@ -125,10 +144,10 @@ SheetTrial fit_and_smooth(const MadeFrom& made_from) {
     if (rules.another_way) {
       const std::vector<double> quality = proved_scaled_jacobians(complex.points, complex.hexes);
       const auto folded = std::count_if(quality.begin(), quality.end(), [](double q) { return !(q > 0); });
-      if (folded > kFoldedByFit && turned > 0) {
-        fit.free_turns = false;
-        --round;
-        continue;
+      const EdgesLeftOut left_out = sharp_edges_left_out(complex, geometry, task.solid);
+      if (left_out.share > kLeftOutByFit) {
+        if (folded_with_turns) throw MeshingError(*folded_with_turns);
+        throw leaves_out(left_out.edges, geometry);
       }
       if (folded > kFoldedByFit) {
         run.begin("smooth");  // which would not put that right
@@ -140,6 +159,7 @@ SheetTrial fit_and_smooth(const MadeFrom& made_from) {
     const int inverted = best.smoothing.inverted;
     const bool in_vain = vain > (rules.another_way ? kVainWork : kVainWorkAlone);
     if (turned > 0 && inverted > 0 && !in_vain) {
+      folded_with_turns = folded_for_good(best.mesh, inverted);
       fit.free_turns = false;
       --round;
       continue;

@@ -17,6 +17,11 @@ struct FeatureLineMesh {
   Worth worth;
 };
 
+/// With another method to come, the fit found no mesh edges for many sharp CAD edges: other labels would hardly find them.
+struct LeavesOutEdges : MeshingError {
+  using MeshingError::MeshingError;
+};
+
 /// The feature-line method on one solid, placed in its working frame (design, section 3; the paper's steps 3-2 to 3-7
 /// and 1-1 to 1-3): labels, feature shape, polycube, lattice, boundary fitting, O-grid sheets, smoothing. Returns a certified
 /// complex. Throws MeshingError(NoMesh) naming the step that could not go on, Stopped at Options::stop_after.

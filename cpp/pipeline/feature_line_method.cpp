@@ -98,7 +98,8 @@ Candidate mesh_by_feature_line(const SolidTask& task) {
       run.context.log("feature-line, proposal " + std::to_string(result.attempts.size() + 1) + " gave up in step " + error.step + ": " +
                       error.reason);
       if (!first_failure) first_failure = error;
-      hopeless = error.step == "smooth" && run.another_way() && result.mesh.hex_count() > kUntangleOnce;
+      const bool large = error.step == "smooth" && result.mesh.hex_count() > kUntangleOnce;
+      hopeless = run.another_way() && (large || dynamic_cast<const LeavesOutEdges*>(&error) != nullptr);
     }
     task.record(attempt, start);
     if (hopeless) break;

@@ -2,6 +2,7 @@
 #include "pipeline/fitted_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
@@ -127,6 +128,7 @@ SheetTrial smooth_with_sheets(const HexComplex& fitted, const MadeFrom& made_fro
   const SolidTask& task = made_from.task;
   Run& run = task.run;
   const Geometry& geometry = task.part.geometry();
+  std::vector<std::vector<std::array<int, 8>>> made;  // the elements of all meshes of choices of sheets: the points are fitted alike
   const auto mesh_without = [&](const SheetNames& without, bool run_through) {
     SheetOptions sheets;
     sheets.size = run.options.size;
@@ -140,6 +142,9 @@ SheetTrial smooth_with_sheets(const HexComplex& fitted, const MadeFrom& made_fro
     trial.sheets.taken_back = static_cast<int>(without.size());
     if (without.empty() && run_through) run.result.mesh = trial.mesh;
     if (without.empty() && run_through && run.options.sheets) run.complete();
+    trial.again = std::find(made.begin(), made.end(), trial.mesh.hexes) != made.end();
+    if (trial.again) return trial;
+    made.push_back(trial.mesh.hexes);
     smooth_trial(trial, task, !run.another_way());
     if (trial.smoothing.inverted > 0) vain += trial.mesh.hex_count();
     for (int s :

@@ -30,11 +30,14 @@ double price(const SheetTrial& trial) {
 }  // namespace
 
 bool is_better(const SheetTrial& a, const SheetTrial& b) {
-  constexpr double kSeen = 0.005;
+  constexpr double kSeen = 0.005, kAsGood = 0.002, kSeenOfMean = 0.0005;
+  if (a.again) return false;
   if (a.smoothing.inverted != b.smoothing.inverted) return a.smoothing.inverted < b.smoothing.inverted;
   if (a.worth.faithful != b.worth.faithful) return a.worth.faithful;
   if (a.smoothing.inverted == 0 && !a.worth.faithful && a.worth.lost != b.worth.lost) return price(a) < price(b);
-  return a.smoothing.min_sj > b.smoothing.min_sj + kSeen;
+  if (a.smoothing.min_sj > b.smoothing.min_sj + kSeen) return true;
+  return a.smoothing.inverted == 0 && a.smoothing.min_sj >= b.smoothing.min_sj - kAsGood &&
+         a.smoothing.mean_sj > b.smoothing.mean_sj + kSeenOfMean;
 }
 
 SheetTrial try_sheets(const MakeTrial& mesh_without, const SheetRules& rules, Context& context) {
@@ -83,7 +86,7 @@ SheetTrial try_sheets(const MakeTrial& mesh_without, const SheetRules& rules, Co
         run_through = false;
       }
     }
-    if (trial > 0 && best.smoothing.inverted == 0) work += next.mesh.hex_count();
+    if (trial > 0 && best.smoothing.inverted == 0 && !next.again) work += next.mesh.hex_count();
     for (const std::vector<int>& name : next.sheets.names)
       if (std::find(all.begin(), all.end(), name) == all.end()) all.push_back(name);
     if (trial > 0 && !is_better(next, best)) continue;

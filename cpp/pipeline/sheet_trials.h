@@ -18,6 +18,7 @@ struct SheetTrial {
   Worth worth;            ///< nothing is known of a mesh with inverted elements
   SheetNames suspects;    ///< those at its worst elements, in the order of insertion
   std::vector<int> held;  ///< points that were drawn to where a face was not covered, and stay there
+  bool again = false;     ///< the sheets made the very mesh of an earlier choice: it is not smoothed once more
 };
 
 struct SheetRules {
@@ -27,7 +28,7 @@ struct SheetRules {
 };
 
 /// Whether a smoothed mesh is worth more: fewer inverted elements, or keeping more of the part, or a worst element better by what can be
-/// seen. What it keeps is not known of meshes with inverted elements.
+/// seen, or with one as good a better mean. What it keeps is not known of meshes with inverted elements.
 bool is_better(const SheetTrial& a, const SheetTrial& b);
 
 /// Smooths the mesh without the named sheets; with those that are left running through the part where they can (SheetOptions), or not.

@@ -44,10 +44,9 @@ bool touching(const HexComplex& complex, const HexTopology& topology, const Shee
 
 // Groups that are cheaper to serve by one sheet than by one each: both ends of a shaft whose shoulder the sheet runs through; not a boss
 // and the disc it stands on. Two sheets would leave through each other's smooth walls.
-SheetGroup join_groups(const HexComplex& complex, const SheetGroup& first, const std::vector<SheetGroup>& groups,
-                       const SheetOptions& options, Context& context) {
+SheetGroup join_groups(const HexComplex& complex, const HexTopology& topology, const SheetGroup& first,
+                       const std::vector<SheetGroup>& groups, const SheetOptions& options, Context& context) {
   context.check();
-  const HexTopology topology = make_topology(complex, context);
   SheetGroup joined = first;
   ShrinkSet set = choose_shrink_set(complex, topology, joined, options, context);
   for (const SheetGroup& other : groups) {
@@ -71,23 +70,21 @@ SheetGroup join_groups(const HexComplex& complex, const SheetGroup& first, const
 }
 
 // Would the sheet for `group`, which `first` grew to, be another one if it might end inside?
-bool could_end_inside(const HexComplex& complex, const SheetGroup& first, const std::vector<SheetGroup>& groups, const SheetGroup& group,
-                      const SheetOptions& options, Context& context) {
+bool could_end_inside(const HexComplex& complex, const HexTopology& topology, const SheetGroup& first,
+                      const std::vector<SheetGroup>& groups, const SheetGroup& group, const SheetOptions& options, Context& context) {
   SheetOptions shorter = options;
   shorter.run_through = false;
-  if (first.floor_chart < 0 && join_groups(complex, first, groups, shorter, context).charts != group.charts) return true;
-  const HexTopology topology = make_topology(complex, context);
+  if (first.floor_chart < 0 && join_groups(complex, topology, first, groups, shorter, context).charts != group.charts) return true;
   return choose_shrink_set(complex, topology, group, options, context).inside !=
          choose_shrink_set(complex, topology, group, shorter, context).inside;
 }
 
 }  // namespace
 
-std::string insert_sheet(HexComplex& complex, const FeatureShape& shape, const Geometry& geometry, const SheetGroup& group,
-                         const SheetOptions& options, Context& context, std::vector<int>* covered) {
+std::string insert_sheet(HexComplex& complex, const HexTopology& topology, const FeatureShape& shape, const Geometry& geometry,
+                         const SheetGroup& group, const SheetOptions& options, Context& context, std::vector<int>* covered) {
   constexpr int kCuts = 12;
   context.check();
-  const HexTopology topology = make_topology(complex, context);
   std::vector<std::vector<int>> together;
   LayerRefusal refusal;
   for (int cut = 0; cut < kCuts; ++cut) {
@@ -115,18 +112,23 @@ SheetReport insert_sheets(HexComplex& complex, const FeatureShape& shape, const 
                           Context& context) {
   SheetReport report;
   std::vector<std::vector<int>> done = options.without;  // a refused group, or one still smooth after its sheet, is not tried again
+  HexTopology topology;
+  bool stale = true;  // the complex has changed since
   while (report.inserted < options.max_sheets) {
     context.progress("sheet", report.inserted / (report.inserted + 2.0));
-    const std::vector<SheetGroup> groups = find_sheet_groups(complex, geometry, options, context);
+    if (stale) topology = make_topology(complex, context);
+    stale = false;
+    const std::vector<SheetGroup> groups = find_sheet_groups(complex, topology, geometry, options, context);
     const auto next = std::find_if(groups.begin(), groups.end(),
                                    [&](const SheetGroup& g) { return std::find(done.begin(), done.end(), name_of(g)) == done.end(); });
     if (next == groups.end()) break;
     done.push_back(name_of(*next));
-    const SheetGroup group = next->floor_chart >= 0 ? *next : join_groups(complex, *next, groups, options, context);
-    report.run_through = report.run_through || (options.run_through && could_end_inside(complex, *next, groups, group, options, context));
+    const SheetGroup group = next->floor_chart >= 0 ? *next : join_groups(complex, topology, *next, groups, options, context);
+    report.run_through =
+        report.run_through || (options.run_through && could_end_inside(complex, topology, *next, groups, group, options, context));
     std::vector<int> covered;
     const int begin = complex.hex_count();
-    const std::string refusal = insert_sheet(complex, shape, geometry, group, options, context, &covered);
+    const std::string refusal = insert_sheet(complex, topology, shape, geometry, group, options, context, &covered);
     if (!refusal.empty()) covered = group.floor_chart >= 0 ? std::vector<int>{group.floor_chart} : group.charts;
     std::string where = group.floor_chart >= 0 ? "sheet under the floor of chart" : "sheet along charts";
     for (int c : covered) where += " " + std::to_string(c);
@@ -137,6 +139,7 @@ SheetReport insert_sheets(HexComplex& complex, const FeatureShape& shape, const 
       continue;
     }
     context.log(where + ": " + std::to_string(complex.hex_count() - begin) + " hexahedra");
+    stale = true;
     ++report.inserted;
     report.chart_groups.push_back(std::move(covered));
     report.names.push_back(done.back());

@@ -8,6 +8,7 @@
 #include "fit/fit.h"
 #include "mesh/hex_complex.h"
 #include "shape/feature_shape.h"
+#include "sheet/topology.h"
 
 namespace hexfeature {
 
@@ -51,14 +52,14 @@ std::vector<int> sheets_near(const HexComplex& complex, const SheetReport& repor
 
 /// Where O-grid sheets are needed (experiments B1): borders between charts with one cell inside (so that this cell would be
 /// flat), smooth in the fitted quads and not on a sharp CAD edge; joined to groups. The largest group first.
-std::vector<SheetGroup> find_sheet_groups(const HexComplex& complex, const Geometry& geometry, const SheetOptions& options,
-                                          const Context& context);
+std::vector<SheetGroup> find_sheet_groups(const HexComplex& complex, const HexTopology& topology, const Geometry& geometry,
+                                          const SheetOptions& options, const Context& context);
 
 /// Insert one sheet for `group` (found in this very complex): choose the shrink set (minimum cut, experiments B2) and fill the
 /// gap it leaves (B3). Returns an empty string, or the reason why it was refused; then `complex` is as it was.
 /// `covered` (may be null) receives the charts that the sheet covers: the group's, and those added to settle a conflict.
-std::string insert_sheet(HexComplex& complex, const FeatureShape& shape, const Geometry& geometry, const SheetGroup& group,
-                         const SheetOptions& options, Context& context, std::vector<int>* covered = nullptr);
+std::string insert_sheet(HexComplex& complex, const HexTopology& topology, const FeatureShape& shape, const Geometry& geometry,
+                         const SheetGroup& group, const SheetOptions& options, Context& context, std::vector<int>* covered = nullptr);
 
 /// Insert O-grid sheets where chart borders lie on smooth surface (design 3.7, experiments B1-B3): one sheet per group of
 /// smoothly joined charts, one after another, measured anew after each; its shrink set chosen as a minimum cut over blocks,

@@ -211,9 +211,8 @@ void find_turns(const HexComplex& complex, const HexTopology& topology, double d
 
 }  // namespace
 
-std::vector<SheetGroup> find_sheet_groups(const HexComplex& complex, const Geometry& geometry, const SheetOptions& options,
-                                          const Context& context) {
-  const HexTopology topology = make_topology(complex, context);
+std::vector<SheetGroup> find_sheet_groups(const HexComplex& complex, const HexTopology& topology, const Geometry& geometry,
+                                          const SheetOptions& options, const Context& context) {
   std::vector<Border> borders = convex_borders(complex, topology);
   int chart_count = 0;
   for (int c : complex.quad_chart) chart_count = std::max(chart_count, c + 1);

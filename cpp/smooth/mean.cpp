@@ -37,7 +37,7 @@ void lift_mean(HexComplex& mesh, SmoothSetting& setting) {
   terms.mean = true;
   terms.worst = worst;
   terms.shape_weight = 0.002;
-  Lbfgs descent(static_cast<int>(patch.x.size()), setting.workers);
+  Lbfgs descent(static_cast<int>(patch.x.size()), patch.workers);
   std::vector<double> gradient(patch.x.size());
   double sum = start;
   for (int round = 0; round < kRounds; ++round) {

@@ -126,6 +126,10 @@ void Patch::write_back(HexComplex& mesh) const {
   }
 }
 
+void Patch::read(const HexComplex& mesh) {
+  for (std::size_t i = 0; i < nodes.size(); ++i) Eigen::Map<Vec3>(x.data() + 3 * i) = mesh.points[nodes[i]];
+}
+
 std::vector<double> Patch::retract(const std::vector<double>& from, const std::vector<double>& moved, const std::vector<double>& floor) {
   std::vector<double> before, after, result = moved;
   measure(from, before);
@@ -137,7 +141,7 @@ std::vector<double> Patch::retract(const std::vector<double>& from, const std::v
     setting.context.check();
     boundary->find_feet(result, changed);
     boundary->snap(result);
-    setting.workers.run(static_cast<int>(hexes.size()), 256, [&](int begin, int end) {
+    workers.run(static_cast<int>(hexes.size()), 256, [&](int begin, int end) {
       for (int h = begin; h < end; ++h)
         if (std::any_of(hexes[h].begin(), hexes[h].end(), [&](int v) { return changed[v] != 0; }))
           after[h] = quality_of(result.data(), hexes[h]);

@@ -71,6 +71,8 @@ class Patch {
   void measure(const std::vector<double>& at, std::vector<double>& quality) const;
   /// Put points and parameters back into the mesh.
   void write_back(HexComplex& mesh) const;
+  /// Take the points from the mesh.
+  void read(const HexComplex& mesh);
   /// From a state on the CAD to `moved`, which has left it along tangents: every point on its CAD entity, as far along as no
   /// element turns inverted that was not, or falls below its scaled Jacobian in `floor` (none when empty), which it had. Returns the new
   /// state; the boundary's feet are those of the result.
@@ -119,8 +121,9 @@ struct PlaceRules {
 /// once. `lift` changes a patch and returns what is gained; it is called from several threads.
 void lift_each_place(HexComplex& mesh, SmoothSetting& setting, const PlaceRules& rules, const std::function<double(Patch&)>& lift);
 
-/// (2) of experiments B5: penalised untangling rounds. Returns the number of rounds.
-int untangle_softly(Patch& patch);
+/// (2) of experiments B5: penalised untangling rounds, first of the whole patch, then of what is still inverted where its boundary
+/// points are put onto the CAD, with the elements around. Returns the number of rounds.
+int untangle_softly(HexComplex& mesh, Patch& whole);
 /// (3): exact sliding. The patch ends on the CAD.
 void slide(Patch& patch);
 /// (4): lift the worst elements. Requires a patch on the CAD and no inverted element.

@@ -157,7 +157,7 @@ SmoothReport smooth(HexComplex& mesh, const Projector& projector, const SmoothOp
   report.deviation = all.boundary->find_feet(all.x);
   const bool perfect = before.min_sj > 0.999 && report.deviation < 1e-9 * options.size;
   if (!perfect) {
-    report.rounds = untangle_softly(all);
+    report.rounds = untangle_softly(mesh, all);
     slide(all);
     all.write_back(mesh);
     if (options.worst_stage) {

@@ -65,32 +65,63 @@ class Standstill {
   double best_sj_ = -2;
 };
 
-}  // namespace
+/// The patch as it is where its boundary points are put onto the CAD.
+std::vector<double> snapped(Patch& patch) {
+  std::vector<double> x = patch.x;
+  patch.boundary->place_on_feet(x);
+  return x;
+}
 
-int untangle_softly(Patch& patch) {
+/// Rounds from `round` on, before `last`; true when no more are needed or they lead nowhere.
+bool soft_rounds(Patch& patch, int& round, int last) {
   const SmoothOptions& options = patch.setting.options;
   const double h = options.size;
   EnergyTerms terms;
   terms.theta = options.theta;
   terms.epsilon_squared = std::numeric_limits<double>::infinity();
   Lbfgs descent(static_cast<int>(patch.x.size()), patch.workers);
-  std::vector<double> snapped;
   Standstill standstill;
-  for (int round = 0; round < options.untangle_rounds; ++round) {
+  for (; round < last; ++round) {
     const double deviation = patch.boundary->find_feet(patch.x);
     const Grade grade = patch.grade();
-    if (grade.min_sj > 0.05 && deviation < 0.02 * h) return round;
-    snapped = patch.x;
-    patch.boundary->place_on_feet(snapped);
-    const Grade on_cad = patch.grade(snapped);
-    if (on_cad.inverted == 0 || standstill.after(on_cad)) return round;
+    if (grade.min_sj > 0.05 && deviation < 0.02 * h) return true;
+    const Grade on_cad = patch.grade(snapped(patch));
+    if (on_cad.inverted == 0 || standstill.after(on_cad)) return true;
     lower_epsilon(terms, worst_determinant(patch, terms));
     PatchObjective objective(patch, terms, 200 * std::pow(3.0, std::min(round, 6)));
     objective.drift_limit = 0.3 * h;
     descent.descend(objective, patch.x, descent_options(patch, terms));
     patch.setting.context.progress("smooth", 0.5 * (round + 1) / options.untangle_rounds);
   }
-  return options.untangle_rounds;
+  return false;
+}
+
+}  // namespace
+
+int untangle_softly(HexComplex& mesh, Patch& whole) {
+  // What is inverted after these rounds is stuck in some place, and the other elements have come to rest.
+  constexpr int kTogether = 4, kRings = 3;
+  const int most = whole.setting.options.untangle_rounds;
+  int round = 0;
+  if (soft_rounds(whole, round, std::min(kTogether, most))) return round;
+  whole.boundary->find_feet(whole.x);
+  std::vector<double> quality;
+  whole.measure(snapped(whole), quality);
+  std::vector<char> stuck(mesh.hexes.size(), 0);
+  for (std::size_t i = 0; i < quality.size(); ++i) stuck[whole.elements[i]] = !(quality[i] > 0);
+  std::vector<char> near = points_near(mesh, kRings, [&](int h) { return stuck[h] != 0; });
+  for (std::size_t i = 0; i < whole.nodes.size(); ++i)
+    if (!whole.free[i]) near[whole.nodes[i]] = 0;
+  whole.write_back(mesh);
+  Patch part(mesh, near, whole.setting);
+  if (2 * part.hexes.size() > whole.hexes.size()) {
+    soft_rounds(whole, round, most);
+    return round;
+  }
+  soft_rounds(part, round, most);
+  part.write_back(mesh);
+  whole.read(mesh);
+  return round;
 }
 
 void slide(Patch& patch) {

@@ -33,6 +33,7 @@ double sweep(Patch& patch, const std::vector<int>& powers, Merit merit) {
     objective.drift_limit = 0.3 * h;
     LbfgsOptions options;
     options.step_limit = 0.1 * h;
+    if (patch.setting.options.brief) options.iterations = 15;
     options.floor = patch.energy->floor(terms);
     std::vector<double> moved = patch.x;
     Lbfgs(static_cast<int>(moved.size()), patch.workers).descend(objective, moved, options);
@@ -89,6 +90,9 @@ struct Place {
   double gain = 0;
 };
 
+/// Of a bad element: whether its place was tried in vain; if so, when it was the worst one, or before.
+enum class InVain : char { No, Early, Yes };
+
 /// The elements round one that is bad, in rising order: those that have a point of it or of `rings` more elements. These points are free.
 std::vector<int> neighbourhood(const HexComplex& mesh, const Incidence& incidence, int bad, int rings, std::vector<char>& free) {
   std::vector<int> elements{bad}, points;
@@ -107,22 +111,26 @@ std::vector<int> neighbourhood(const HexComplex& mesh, const Incidence& incidenc
   return elements;
 }
 
-/// The worst elements below `limit` that are not settled, with their neighbourhoods, as long as these share no element with each other. At
-/// most kTogether, whatever the number of threads; above the rules' limit, where only the mesh's worst element counts, about as bad ones.
+/// The worst elements below `limit` that were not tried in vain, with their neighbourhoods, as long as these share no element with each
+/// other. At most kTogether, whatever the number of threads; above the rules' limit, where only the mesh's worst element counts, about as
+/// bad ones.
 std::vector<Place> worst_places(const HexComplex& mesh, const Incidence& incidence, const std::vector<double>& quality,
-                                const std::vector<char>& settled, double limit, const PlaceRules& rules, SmoothSetting& setting,
+                                const std::vector<InVain>& in_vain, double limit, const PlaceRules& rules, SmoothSetting& setting,
                                 Workers& alone) {
-  constexpr int kTogether = 4, kTries = 12;
+  constexpr int kTogether = 4, kTries = 100;
   constexpr double kAsBad = 0.01;
+  std::vector<int> bad;
+  for (int h = 0; h < mesh.hex_count(); ++h)
+    if (in_vain[h] != InVain::Yes && quality[h] > 0 && quality[h] < limit) bad.push_back(h);
+  const std::size_t tries = std::min<std::size_t>(kTries, bad.size());
+  std::partial_sort(bad.begin(), bad.begin() + static_cast<long>(tries), bad.end(),
+                    [&](int a, int b) { return quality[a] != quality[b] ? quality[a] < quality[b] : a < b; });
   std::vector<Place> places;
-  std::vector<char> passed = settled, taken(mesh.hexes.size(), 0);
-  for (int tries = 0; tries < kTries && places.size() < kTogether; ++tries) {
-    int worst = -1;
-    for (int h = 0; h < mesh.hex_count(); ++h)
-      if (!passed[h] && quality[h] > 0 && quality[h] < limit && (worst < 0 || quality[h] < quality[worst])) worst = h;
-    if (worst < 0) break;
-    passed[worst] = 1;
-    if (places.empty()) limit = std::min(limit, std::max(rules.limit, quality[worst] + kAsBad));
+  std::vector<char> taken(mesh.hexes.size(), 0);
+  for (std::size_t i = 0; i < tries && places.size() < kTogether; ++i) {
+    const int worst = bad[i];
+    if (quality[worst] > std::max(rules.limit, quality[bad[0]] + kAsBad)) break;
+    if (taken[worst] || (in_vain[worst] == InVain::Early && !places.empty())) continue;
     std::vector<char> free(mesh.points.size(), 0);
     std::vector<int> elements = neighbourhood(mesh, incidence, worst, rules.rings, free);
     if (std::any_of(elements.begin(), elements.end(), [&](int h) { return taken[h] != 0; })) continue;
@@ -138,13 +146,13 @@ void lift_each_place(HexComplex& mesh, SmoothSetting& setting, const PlaceRules&
   constexpr int kPlaces = 60;
   std::vector<double> quality;
   measure(mesh, setting.workers, quality);
-  std::vector<char> settled(mesh.hexes.size(), 0);
+  std::vector<InVain> in_vain(mesh.hexes.size(), InVain::No);
   const Incidence incidence(mesh.hexes, mesh.points.size());
   Workers alone(1, setting.context);
   double limit = rules.goal;
   for (int done = 0; done < kPlaces;) {
     setting.context.progress("smooth", rules.progress + 0.02 * done / kPlaces);
-    std::vector<Place> places = worst_places(mesh, incidence, quality, settled, limit, rules, setting, alone);
+    std::vector<Place> places = worst_places(mesh, incidence, quality, in_vain, limit, rules, setting, alone);
     if (places.empty()) return;
     setting.workers.run(static_cast<int>(places.size()), 2, [&](int begin, int end) {
       for (int i = begin; i < end; ++i) places[i].gain = lift(*places[i].patch);
@@ -153,14 +161,18 @@ void lift_each_place(HexComplex& mesh, SmoothSetting& setting, const PlaceRules&
       if (done == kPlaces || !(quality[place.worst] < limit)) break;
       ++done;
       if (place.gain < rules.least_gain) {
-        settled[place.worst] = 1;
-        limit = rules.limit;  // the mesh's worst element stays what it is
+        const bool first = &place == places.data();
+        in_vain[place.worst] = first ? InVain::Yes : InVain::Early;
+        if (first) limit = rules.limit;  // the mesh's worst element stays what it is
         continue;
       }
       place.patch->write_back(mesh);
       std::vector<double> now;
       place.patch->measure(place.patch->x, now);
-      for (std::size_t i = 0; i < now.size(); ++i) quality[place.patch->elements[i]] = now[i];
+      for (std::size_t i = 0; i < now.size(); ++i) {
+        quality[place.patch->elements[i]] = now[i];
+        in_vain[place.patch->elements[i]] = InVain::No;  // its surroundings are others now
+      }
     }
   }
 }

@@ -17,6 +17,8 @@ struct Outcome {
   int inverted = 0;
   double lost = 0;
   bool edges_lost = false;
+  double mean_sj = 0;
+  bool again = false;
 };
 
 struct Workshop {
@@ -31,7 +33,9 @@ struct Workshop {
     SheetTrial trial;
     const Outcome o = outcome(letters);
     trial.smoothing.min_sj = trial.worth.min_sj = o.min_sj;
+    trial.smoothing.mean_sj = o.mean_sj;
     trial.smoothing.inverted = o.inverted;
+    trial.again = o.again;
     trial.worth.lost = o.lost;
     trial.worth.faithful = o.lost == 0 && o.inverted == 0;
     trial.worth.edges_lost = o.edges_lost;
@@ -100,6 +104,24 @@ TEST_CASE("a gain that nobody sees keeps the sheets; a mesh that keeps more of t
   Workshop faithful{[](const std::string& without) { return Outcome{without == "C" ? 0.25 : 0.4, 0, without == "C" ? 0 : 0.05}; }};
   CHECK(faithful.run().sheets.taken_back == 1);
   CHECK(faithful.run().worth.faithful);
+}
+
+TEST_CASE("of meshes whose worst elements are alike the one of the better mean is kept") {
+  const auto outcome = [](double least, double mean) {
+    return [least, mean](const std::string& without) {
+      return without == "C" ? Outcome{least, 0, 0, false, mean} : Outcome{0.3, 0, 0, false, 0.9};
+    };
+  };
+  CHECK(Workshop{outcome(0.299, 0.92)}.run().sheets.taken_back == 1);
+  CHECK(Workshop{outcome(0.29, 0.92)}.run().sheets.taken_back == 0);
+  CHECK(Workshop{outcome(0.299, 0.9002)}.run().sheets.taken_back == 0);
+}
+
+TEST_CASE("the very mesh of an earlier choice is no better, whatever is not known of it") {
+  Workshop inverted{[](const std::string& without) { return without.empty() ? Outcome{0, 4} : Outcome{0, 0, 0, false, 0, true}; }};
+  CHECK(inverted.run().smoothing.inverted == 4);
+  Workshop sound{[](const std::string& without) { return without.empty() ? Outcome{0.3} : Outcome{0.9, 0, 0, false, 0.9, true}; }};
+  CHECK(sound.run().smoothing.min_sj == 0.3);
 }
 
 TEST_CASE("with inverted elements: once without all the sheets there, or not at all") {

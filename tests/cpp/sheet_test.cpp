@@ -20,7 +20,7 @@ SheetReport run(HexPart& part, SheetOptions options = {}) {
 }
 
 std::vector<SheetGroup> groups_of(const HexPart& part, const SheetOptions& options = {}) {
-  return find_sheet_groups(part.complex, part.geometry(), options, {});
+  return find_sheet_groups(part.complex, make_topology(part.complex), part.geometry(), options, {});
 }
 
 // Number of hexahedra round the edges between two CAD faces: least, most.
@@ -277,7 +277,7 @@ TEST_CASE("at most so many sheets; a refused sheet leaves the complex alone; the
   // A group without smooth edges has nothing to shrink.
   Context context;
   const auto before = part.complex.hexes;
-  CHECK(insert_sheet(part.complex, part.shape, part.geometry(), SheetGroup{}, {}, context) != "");
+  CHECK(insert_sheet(part.complex, make_topology(part.complex), part.shape, part.geometry(), SheetGroup{}, {}, context) != "");
   CHECK(part.complex.hexes == before);
 }
 

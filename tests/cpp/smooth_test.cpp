@@ -429,6 +429,42 @@ TEST_CASE("the least scaled Jacobian is raised where points must move together")
   CHECK((tied.points[e[0]] - tied.points[e[1]]).norm() < std::sqrt(1.2) * length);
 }
 
+TEST_CASE("bad places that share nothing are lifted at once; one in vain leaves the others") {
+  HexComplex start = box_mesh({24, 3, 3}, Vec3(24, 3, 3));
+  const BoxProjector box(Vec3(24, 3, 3));
+  std::vector<char> held(start.points.size(), 0);
+  for (int v = 0; v < start.point_count(); ++v) {
+    Vec3& p = start.points[v];
+    if (start.place[v].dim != 3 || std::lround(p.x()) % 4 != 0) continue;  // five bad places in a row
+    held[v] = p.x() > 18;                                                  // and the worst of them cannot be lifted
+    p += (held[v] ? 1.02 : 1.0) * Vec3(0.38, 0.27, -0.27);
+  }
+  const SmoothOptions options = sized(1);
+  const auto lifted = [&](int threads) {
+    Workers workers(threads, context);
+    SmoothSetting setting{box, options, context, workers, std::vector<double>(start.hexes.size(), 1), {}, held};
+    HexComplex c = start;
+    lift_places(c, setting);
+    return c;
+  };
+  const std::vector<double> before = proved_scaled_jacobians(start.points, start.hexes);
+  REQUIRE(*std::min_element(before.begin(), before.end()) > 0);
+  const HexComplex c = lifted(1);
+  const std::vector<double> after = proved_scaled_jacobians(c.points, c.hexes);
+  double bad = 1, least = 1;
+  for (int h = 0; h < c.hex_count(); ++h) {
+    Vec3 centre = Vec3::Zero();
+    for (int v : start.hexes[h]) centre += start.points[v] / 8;
+    if (centre.x() > 17) continue;
+    bad = std::min(bad, before[h]);
+    least = std::min(least, after[h]);
+  }
+  CHECK(bad < 0.3);
+  CHECK(least > 0.4);
+  CHECK(lifted(2).points == c.points);
+  CHECK(lifted(5).points == c.points);
+}
+
 TEST_CASE("the mean is lifted as far as the worst element allows") {
   HexComplex c = box_mesh({6, 6, 6}, Vec3(6, 6, 6));
   const BoxProjector box(Vec3(6, 6, 6));
