@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "mesh/buckets.h"
 #include "mesh/hex_element.h"
 #include "mesh/incidence.h"
 #include "mesh/triangle_tree.h"
@@ -46,26 +47,29 @@ class Cover {
   /// `wanted`: of the surface mesh's points; null: all.
   Cover(const HexComplex& mesh, const SurfaceMesh& surface, int faces, const std::vector<char>* wanted, double size, const Context& context)
       : mesh_(mesh) {
-    constexpr double kDense = 0.3;        // of h: distance between samples along a border
-    std::vector<std::pair<int, int>> at;  // (face, vertex)
-    for (int t = 0; t < surface.triangle_count(); ++t)
-      for (int v : surface.triangles[t])
-        if (surface.triangle_face[t] > 0 && (wanted == nullptr || (*wanted)[v])) at.emplace_back(surface.triangle_face[t], v);
-    std::sort(at.begin(), at.end());
-    at.erase(std::unique(at.begin(), at.end()), at.end());
+    constexpr double kDense = 0.3;  // of h: distance between samples along a border
+    const auto is_wanted = [&](int v) { return wanted == nullptr || (*wanted)[v] != 0; };
+    const Buckets by_face(faces + 1, surface.triangle_count(), [&](int t) { return std::max(surface.triangle_face[t], 0); });
     begin_.assign(faces + 2, 0);
-    for (const auto& [face, vertex] : at) samples_.push_back({face, vertex, surface.points[vertex]});
-    for (int h = 0; h < 3 * surface.triangle_count(); ++h) {
-      const int a = surface.from(h), b = surface.to(h), face = surface.triangle_face[h / 3];
-      if (surface.halfedge_edge[h] <= 0 || face <= 0 || (wanted != nullptr && (!(*wanted)[a] || !(*wanted)[b]))) continue;
-      const Vec3 along = surface.points[b] - surface.points[a];
-      const int pieces = static_cast<int>(std::ceil(along.norm() / (kDense * size)));
-      for (int k = 1; k < pieces; ++k)
-        samples_.push_back({face, 2 * k < pieces ? a : b, surface.points[a] + static_cast<double>(k) / pieces * along});
+    std::vector<int> sampled(surface.points.size(), 0);  // for which face last
+    for (int face = 1; face <= faces; ++face) {
+      begin_[face] = static_cast<int>(samples_.size());
+      for (int i = by_face.start[face]; i < by_face.start[face + 1]; ++i)
+        for (int v : surface.triangles[by_face.item[i]]) {
+          if (sampled[v] != face && is_wanted(v)) samples_.push_back({face, v, surface.points[v]});
+          sampled[v] = face;
+        }
+      for (int i = by_face.start[face]; i < by_face.start[face + 1]; ++i)
+        for (int h = 3 * by_face.item[i]; h < 3 * by_face.item[i] + 3; ++h) {
+          const int a = surface.from(h), b = surface.to(h);
+          if (surface.halfedge_edge[h] <= 0 || !is_wanted(a) || !is_wanted(b)) continue;
+          const Vec3 along = surface.points[b] - surface.points[a];
+          const int pieces = static_cast<int>(std::ceil(along.norm() / (kDense * size)));
+          for (int k = 1; k < pieces; ++k)
+            samples_.push_back({face, 2 * k < pieces ? a : b, surface.points[a] + static_cast<double>(k) / pieces * along});
+        }
     }
-    std::stable_sort(samples_.begin(), samples_.end(), [](const Sample& a, const Sample& b) { return a.face < b.face; });
-    for (const Sample& s : samples_) ++begin_[s.face + 1];
-    for (int f = 0; f <= faces; ++f) begin_[f + 1] += begin_[f];
+    begin_[faces + 1] = static_cast<int>(samples_.size());
     has_quads_.assign(faces + 1, 0);
     for (int f : mesh.quad_face)
       if (f > 0) has_quads_[f] = 1;
@@ -73,7 +77,7 @@ class Cover {
     tree_ = TriangleTree(triangles_of_quads(mesh), context);
     for (std::size_t i = 0; i < samples_.size(); ++i) {
       if (i % 256 == 0) context.check();
-      find(samples_[i]);
+      find(samples_[i], i > 0 && samples_[i - 1].face == samples_[i].face ? samples_[i - 1].quad : -1);
     }
   }
 
@@ -91,11 +95,15 @@ class Cover {
     }
     return least;
   }
-  void find(Sample& s) const {
+  /// `near`: a quad of the face, as the nearest is for a sample beside; it makes the search shorter. -1: none is known.
+  void find(Sample& s, int near = -1) const {
     s.quad = -1;
     s.distance2 = std::numeric_limits<double>::infinity();
     if (!has_quads_[s.face]) return;
-    const ClosestPoint c = tree_.closest_if(s.point, [&](int t) { return mesh_.quad_face[t / 2] == s.face; });
+    constexpr double kRounding = 1 + 1e-9;  // the nearest one must not be lost for the last digit
+    const double reach = near < 0 ? std::numeric_limits<double>::infinity() : kRounding * std::sqrt(distance2(s.point, near));
+    const ClosestPoint c = tree_.closest_if(
+        s.point, [&](int t) { return mesh_.quad_face[t / 2] == s.face; }, reach);
     s.quad = c.triangle < 0 ? -1 : c.triangle / 2;
     s.distance2 = c.distance2;
   }

@@ -1,9 +1,9 @@
 // HexFeatureWB - LGPL-2.1-or-later
-#include "pipeline/faithfulness.h"
-
 #include <doctest/doctest.h>
 
 #include <vector>
+
+#include "pipeline/faithfulness.h"
 
 using namespace hexfeature;
 
