@@ -11,7 +11,7 @@ int fit_boundary(HexComplex& complex, const SurfaceMesh& mesh, const FeatureShap
   BoundaryFit fit(complex, mesh, shape, geometry, options, context);
   fit.start();
   context.progress("fit", 0.1);
-  fit.route_cad_edges();
+  if (options.inner_edges) fit.route_cad_edges();
   fit.finish();
   context.progress("fit", 0.8);
   fit_interior(complex, context);

@@ -12,7 +12,8 @@ namespace hexfeature {
 struct FitOptions {
   double size = 1;            ///< element size h
   double corner_snap = 1.1;   ///< a hard CAD vertex within this many h along an arc attracts the corner (experiments B4)
-  bool smooth_edges = true;   ///< also follow tangent CAD edges where a cheap path exists
+  bool inner_edges = true;    ///< follow CAD edges that run inside charts
+  bool smooth_edges = true;   ///< ... also tangent ones where a cheap path exists
   bool free_turns = false;    ///< a sharp CAD edge that no path follows otherwise may be followed by one that turns where the curve does
                               ///< not: the quads there have flat corners until a sheet takes these away (find_sheet_groups)
   std::vector<int> insisted;  ///< CAD edges (1-based, sorted), sharp or not, that may be followed by a path with any turns to both sides

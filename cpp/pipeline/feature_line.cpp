@@ -19,6 +19,9 @@ namespace {
 /// With another method to come, elements that may be folded by the fit alone: sheets and smoothing hardly ever put so many right.
 constexpr int kFoldedByFit = 120;
 
+/// To follow so many CAD edges inside charts takes long: with another method to come, a fit without them tells first whether it is in vain.
+constexpr int kManyInnerEdges = 120;
+
 /// With another method to come, the share of the sharp edges' length that the fit may leave without mesh edges: second looks bring back
 /// some edges, never many.
 constexpr double kLeftOutByFit = 0.025;
@@ -119,6 +122,21 @@ LeavesOutEdges leaves_out(const std::vector<int>& edges, const Geometry& geometr
           {faces.begin(), faces.end()}};
 }
 
+/// How many elements a fitted mesh has folded.
+int count_folded(const HexComplex& complex) {
+  const std::vector<double> quality = proved_scaled_jacobians(complex.points, complex.hexes);
+  return static_cast<int>(std::count_if(quality.begin(), quality.end(), [](double q) { return !(q > 0); }));
+}
+
+/// How many CAD edges run inside charts.
+int count_inner_edges(const SurfaceMesh& mesh, const FeatureShape& shape) {
+  const std::vector<int>& chart = shape.cells.triangle_part;
+  std::set<int> edges;
+  for (int h = 0; h < 3 * mesh.triangle_count(); ++h)
+    if (mesh.halfedge_edge[h] > 0 && chart[h / 3] == chart[mesh.opposite[h] / 3]) edges.insert(mesh.halfedge_edge[h]);
+  return static_cast<int>(edges.size());
+}
+
 /// Boundary fitting, sheets and smoothing, first with free turns; where elements stay inverted with these, without. Where elements stay
 /// inverted, again without the inner CAD edges beside them, as long as that makes fewer. Throws MeshingError(NoMesh, "smooth") when some
 /// stay. With another method to come, a fit that folds many elements or leaves out many sharp edges is given up at once.
@@ -135,6 +153,20 @@ SheetTrial fit_and_smooth(const MadeFrom& made_from) {
   rules.another_way = run.another_way();
   int vain = 0;
   std::optional<MeshingError> folded_with_turns;
+  const auto require_few_folded = [&](const HexComplex& complex) {
+    const int folded = count_folded(complex);
+    if (folded <= kFoldedByFit) return;
+    run.begin("smooth");  // which would not put that right
+    throw folded_for_good(complex, folded);
+  };
+  if (rules.another_way && count_inner_edges(mesh, shape) > kManyInnerEdges) {
+    run.begin("fit");
+    FitOptions bare = fit;
+    bare.inner_edges = false;
+    run.result.mesh = lattice.complex;
+    fit_boundary(run.result.mesh, mesh, shape, geometry, bare, run.context);
+    require_few_folded(run.result.mesh);
+  }
   for (int round = 1, least = std::numeric_limits<int>::max();; ++round) {
     run.begin("fit");
     HexComplex complex = lattice.complex;
@@ -142,17 +174,12 @@ SheetTrial fit_and_smooth(const MadeFrom& made_from) {
     run.result.mesh = complex;
     run.complete();
     if (rules.another_way) {
-      const std::vector<double> quality = proved_scaled_jacobians(complex.points, complex.hexes);
-      const auto folded = std::count_if(quality.begin(), quality.end(), [](double q) { return !(q > 0); });
       const EdgesLeftOut left_out = sharp_edges_left_out(complex, geometry, task.solid);
       if (left_out.share > kLeftOutByFit) {
         if (folded_with_turns) throw MeshingError(*folded_with_turns);
         throw leaves_out(left_out.edges, geometry);
       }
-      if (folded > kFoldedByFit) {
-        run.begin("smooth");  // which would not put that right
-        throw folded_for_good(complex, static_cast<int>(folded));
-      }
+      require_few_folded(complex);
     }
     rules.once = turned > 0;
     SheetTrial best = smooth_with_sheets(complex, made_from, rules, vain);

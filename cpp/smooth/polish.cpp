@@ -15,7 +15,7 @@ constexpr double kLeastEdge = 0.06;  ///< of h: no mesh edge at a moved point ge
 constexpr double kFar = 0.25;        ///< of h: no point ends farther from where it was
 constexpr double kStretch = 1.15;    ///< lengths that the mesh edges along CAD curves should keep are exceeded by so much
 constexpr int kRounds = 20;
-constexpr int kMost = 400;  ///< elements of a round
+constexpr int kMost = 400, kMostBriefly = 100;  ///< elements of a round
 
 /// Moves one point after the other to where the worst element round it is best: a pattern search, for the least of several scaled
 /// Jacobians is not smooth, and no power mean of a shape energy has its maximum in the same place.
@@ -39,7 +39,8 @@ class Polish {
       for (int h = 0; h < mesh_.hex_count(); ++h)
         if (quality_[h] < kLimit) bad.push_back(h);
       std::sort(bad.begin(), bad.end(), [&](int a, int b) { return quality_[a] != quality_[b] ? quality_[a] < quality_[b] : a < b; });
-      if (bad.size() > kMost) bad.resize(kMost);
+      const std::size_t most = setting_.options.brief ? kMostBriefly : kMost;
+      if (bad.size() > most) bad.resize(most);
       bool moved = false;
       for (int h : bad) {
         setting_.context.check();
