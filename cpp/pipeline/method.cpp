@@ -45,12 +45,15 @@ Worth worth_of(const HexComplex& mesh, const SmoothReport& smoothing, const Soli
 }
 
 void SolidTask::place(int frame) const {
+  if (run.placed == frame) return;
+  run.placed = -1;
   part.place(frames[frame]);
   run.result.rotation = frames[frame];
   run.result.centre = part.centre();
   run.begin("surface");
   run.result.surface = part.surface(run.options.size, run.context);
   if (part.solid_count() > 1) run.result.surface = surface_of_solid(run.result.surface, part.geometry(), solid);
+  run.placed = frame;
   run.complete();
 }
 

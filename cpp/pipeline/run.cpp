@@ -34,6 +34,7 @@ bool Run::is_new(const LabelledSurface& labels) {
 void Run::begin_solid(int solid) {
   solid_ = solid;
   shown_ = false;
+  placed = -1;
 }
 
 void Run::show_first(const SurfaceMesh& mesh, const FeatureShape& shape) {

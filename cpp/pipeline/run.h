@@ -25,7 +25,8 @@ class Run {
   const Options& options;
   Context& context;
   Result& result;
-  Look look;  ///< of whoever started the run; may be empty
+  Look look;        ///< of whoever started the run; may be empty
+  int placed = -1;  ///< the frame that the present solid and result.surface are in; -1: none
 
   /// Whether another method is to come: what this one finds hard need not be tried in every way.
   bool another_way() const { return options.method == "auto"; }
