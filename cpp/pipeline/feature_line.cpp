@@ -175,9 +175,14 @@ SheetTrial fit_and_smooth(const MadeFrom& made_from) {
     run.complete();
     if (rules.another_way) {
       const EdgesLeftOut left_out = sharp_edges_left_out(complex, geometry, task.solid);
-      if (left_out.share > kLeftOutByFit) {
+      if (left_out.share > kLeftOutByFit && fit.released.empty()) {  // not what was let go on purpose
         if (folded_with_turns) throw MeshingError(*folded_with_turns);
         throw leaves_out(left_out.edges, geometry);
+      }
+      if (turned > 0 && count_folded(complex) > kFoldedByFit) {
+        fit.free_turns = false;
+        --round;
+        continue;
       }
       require_few_folded(complex);
     }

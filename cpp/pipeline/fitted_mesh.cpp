@@ -2,10 +2,12 @@
 #include "pipeline/fitted_mesh.h"
 
 #include <algorithm>
-#include <array>
+#include <cstdint>
+#include <set>
 #include <string>
 #include <utility>
 
+#include "base/fingerprint.h"
 #include "recover/face_cover.h"
 #include "recover/late_edges.h"
 
@@ -41,16 +43,17 @@ void loosen_inverted(SheetTrial& trial, const SolidTask& task, SmoothOptions smo
   }
 }
 
-/// Where points of a CAD face lie farther from its quads than is nobody's loss, and not as far in another mesh.
-std::vector<Vec3> opened_gaps(const HexComplex& before, const HexComplex& after, const SolidTask& task) {
+std::vector<PointGap> gaps_of(const HexComplex& mesh, const SolidTask& task) {
+  return point_gaps(mesh, task.run.result.surface, task.part.geometry(), task.run.options.size, task.run.context);
+}
+
+/// Where points of a CAD face lie farther from its quads than is nobody's loss, and did not before. `then` is filled when it is needed.
+std::vector<Vec3> opened_gaps(const HexComplex& before, const HexComplex& after, const SolidTask& task, std::vector<PointGap>& then) {
   constexpr double kBearable = 0.36;  // of h
   const double bearable = kBearable * task.run.options.size;
-  const auto gaps = [&](const HexComplex& mesh) {
-    return point_gaps(mesh, task.run.result.surface, task.part.geometry(), task.run.options.size, task.run.context);
-  };
-  const std::vector<PointGap> now = gaps(after);
+  const std::vector<PointGap> now = gaps_of(after, task);
   if (std::all_of(now.begin(), now.end(), [&](const PointGap& g) { return g.gap <= bearable; })) return {};
-  const std::vector<PointGap> then = gaps(before);
+  if (then.empty()) then = gaps_of(before, task);
   std::vector<Vec3> opened;
   for (std::size_t i = 0; i < now.size(); ++i)
     if (now[i].gap > std::max(bearable, then[i].gap)) opened.push_back(now[i].point);
@@ -58,10 +61,11 @@ std::vector<Vec3> opened_gaps(const HexComplex& before, const HexComplex& after,
 }
 
 /// Boundary points near any of these places; all of them when there are none.
-std::vector<int> boundary_near(const HexComplex& mesh, const std::vector<Vec3>& places, double size) {
+std::vector<int> boundary_near(const HexComplex& mesh, const std::vector<Vec3>& places, double size, const Context& context) {
   constexpr double kNear = 2;  // h
   std::vector<int> points;
   for (int v = 0; v < mesh.point_count(); ++v) {
+    if (v % 256 == 0) context.check();
     const auto near = [&](const Vec3& p) { return (p - mesh.points[v]).squaredNorm() < kNear * kNear * size * size; };
     if (mesh.place[v].dim <= 2 && (places.empty() || std::any_of(places.begin(), places.end(), near))) points.push_back(v);
   }
@@ -99,6 +103,8 @@ void lift_trial_mean(SheetTrial& trial, const SolidTask& task) {
   smoothing.size = run.options.size;
   smoothing.threads = run.options.threads;
   smoothing.held = trial.held;
+  std::vector<PointGap> before;
+  run.begin("smooth");
   const double bearable = trial.worth.faithful ? kLittle : 0;
   for (int attempt = 1; attempt <= kTries; ++attempt) {
     SheetTrial other = trial;
@@ -106,21 +112,24 @@ void lift_trial_mean(SheetTrial& trial, const SolidTask& task) {
     run.context.log("mean SJ " + std::to_string(trial.smoothing.mean_sj) + " -> " + std::to_string(other.smoothing.mean_sj) + ", " +
                     std::to_string(smoothing.held.size()) + " points held");
     if (other.smoothing.inverted > 0 || !(other.smoothing.mean_sj > trial.smoothing.mean_sj)) return;
-    std::vector<Vec3> opened = opened_gaps(trial.mesh, other.mesh, task);
+    std::vector<Vec3> opened = opened_gaps(trial.mesh, other.mesh, task, before);
     if (!opened.empty() && cover_faces(other.mesh, run.result.surface, geometry, run.options.size, run.context) > 0)
-      opened = opened_gaps(trial.mesh, other.mesh, task);
+      opened = opened_gaps(trial.mesh, other.mesh, task, before);
     if (opened.empty()) {
       other.worth = worth_of(other.mesh, other.smoothing, task);
       other.worth.lost_at_first = trial.worth.lost_at_first;
-      if (other.worth.faithful == trial.worth.faithful && other.worth.lost <= std::max(trial.worth.lost, bearable)) {
+      if (other.worth.faithful >= trial.worth.faithful && other.worth.lost <= std::max(trial.worth.lost, bearable)) {
         trial = std::move(other);
         return;
       }
     }
     // What it cost lies there; else, or when that was not enough, nothing of the surface moves.
+    if (attempt == kTries) return;
     if (attempt + 1 == kTries) opened.clear();
-    const std::vector<int> more = boundary_near(trial.mesh, opened, run.options.size);
-    smoothing.held.insert(smoothing.held.end(), more.begin(), more.end());
+    std::vector<int>& held = smoothing.held;
+    for (int v : boundary_near(trial.mesh, opened, run.options.size, run.context)) held.push_back(v);
+    std::sort(held.begin(), held.end());
+    held.erase(std::unique(held.begin(), held.end()), held.end());
   }
 }
 
@@ -128,7 +137,7 @@ SheetTrial smooth_with_sheets(const HexComplex& fitted, const MadeFrom& made_fro
   const SolidTask& task = made_from.task;
   Run& run = task.run;
   const Geometry& geometry = task.part.geometry();
-  std::vector<std::vector<std::array<int, 8>>> made;  // the elements of all meshes of choices of sheets: the points are fitted alike
+  std::set<std::uint64_t> made;  // the elements of all choices of sheets: points are fitted alike
   const auto mesh_without = [&](const SheetNames& without, bool run_through) {
     SheetOptions sheets;
     sheets.size = run.options.size;
@@ -142,9 +151,11 @@ SheetTrial smooth_with_sheets(const HexComplex& fitted, const MadeFrom& made_fro
     trial.sheets.taken_back = static_cast<int>(without.size());
     if (without.empty() && run_through) run.result.mesh = trial.mesh;
     if (without.empty() && run_through && run.options.sheets) run.complete();
-    trial.again = std::find(made.begin(), made.end(), trial.mesh.hexes) != made.end();
+    Fingerprint elements;
+    for (const auto& hex : trial.mesh.hexes)
+      for (int v : hex) elements.take(static_cast<std::uint64_t>(v));
+    trial.again = !made.insert(elements.value()).second;
     if (trial.again) return trial;
-    made.push_back(trial.mesh.hexes);
     smooth_trial(trial, task, !run.another_way());
     if (trial.smoothing.inverted > 0) vain += trial.mesh.hex_count();
     for (int s :

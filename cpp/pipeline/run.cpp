@@ -2,7 +2,8 @@
 #include "pipeline/run.h"
 
 #include <algorithm>
-#include <cstring>
+
+#include "base/fingerprint.h"
 
 namespace hexfeature {
 
@@ -16,19 +17,13 @@ double certificate_tolerance(const SurfaceMesh& surface) {
 }
 
 bool Run::is_new(const LabelledSurface& labels) {
-  std::uint64_t hash = 1469598103934665603u;  // FNV-1a, a word at a time
-  const auto take = [&](std::uint64_t word) { hash = (hash ^ word) * 1099511628211u; };
-  for (const Label l : labels.label) take(static_cast<std::uint64_t>(l));
+  Fingerprint print;
+  for (const Label l : labels.label) print.take(static_cast<std::uint64_t>(l));
   for (const auto& t : labels.mesh.triangles)
-    for (int v : t) take(static_cast<std::uint64_t>(v));
+    for (int v : t) print.take(static_cast<std::uint64_t>(v));
   for (const Vec3& p : labels.mesh.points)
-    for (int a = 0; a < 3; ++a) {
-      std::uint64_t word;
-      const double x = p[a];
-      std::memcpy(&word, &x, sizeof word);
-      take(word ^ word >> 32);
-    }
-  return seen_.insert(hash).second;
+    for (int a = 0; a < 3; ++a) print.take(p[a]);
+  return seen_.insert(print.value()).second;
 }
 
 void Run::begin_solid(int solid) {

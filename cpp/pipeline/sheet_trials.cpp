@@ -36,8 +36,7 @@ bool is_better(const SheetTrial& a, const SheetTrial& b) {
   if (a.worth.faithful != b.worth.faithful) return a.worth.faithful;
   if (a.smoothing.inverted == 0 && !a.worth.faithful && a.worth.lost != b.worth.lost) return price(a) < price(b);
   if (a.smoothing.min_sj > b.smoothing.min_sj + kSeen) return true;
-  return a.smoothing.inverted == 0 && a.smoothing.min_sj >= b.smoothing.min_sj - kAsGood &&
-         a.smoothing.mean_sj > b.smoothing.mean_sj + kSeenOfMean;
+  return a.worth.faithful && a.smoothing.min_sj >= b.smoothing.min_sj - kAsGood && a.smoothing.mean_sj > b.smoothing.mean_sj + kSeenOfMean;
 }
 
 SheetTrial try_sheets(const MakeTrial& mesh_without, const SheetRules& rules, Context& context) {

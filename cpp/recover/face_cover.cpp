@@ -104,8 +104,8 @@ class Cover {
     const double reach = near < 0 ? std::numeric_limits<double>::infinity() : kRounding * std::sqrt(distance2(s.point, near));
     const ClosestPoint c = tree_.closest_if(
         s.point, [&](int t) { return mesh_.quad_face[t / 2] == s.face; }, reach);
-    s.quad = c.triangle < 0 ? -1 : c.triangle / 2;
-    s.distance2 = c.distance2;
+    s.quad = c.triangle < 0 ? near : c.triangle / 2;  // nothing nearer than that one
+    s.distance2 = c.triangle < 0 && near >= 0 ? distance2(s.point, near) : c.distance2;
   }
 
  private:

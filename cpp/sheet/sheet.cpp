@@ -57,8 +57,8 @@ SheetGroup join_groups(const HexComplex& complex, const HexTopology& topology, c
     const SheetGroup both = united(joined, other);
     ShrinkSet together = choose_shrink_set(complex, topology, both, options, context);
     if (!alone.refusal.empty() || !together.refusal.empty()) continue;
-    // Charts that only their conflict would bring in speak against it: the sheet would wrap the sharp edges between those and theirs. Rows
-    // that stay in their place are no better.
+    // Charts that only their conflict would bring in speak against it: the sheet would wrap the sharp edges between those and theirs. A
+    // row that is parted instead counts the same.
     const auto size = [](const ShrinkSet& x) { return std::count(x.covered.begin(), x.covered.end(), 1) + x.rows; };
     const bool conflict = size(together) > size(set) + size(alone);
     if (conflict && options.run_through) continue;

@@ -56,8 +56,9 @@ std::vector<SheetGroup> find_sheet_groups(const HexComplex& complex, const HexTo
                                           const SheetOptions& options, const Context& context);
 
 /// Insert one sheet for `group` (found in this very complex): choose the shrink set (minimum cut, experiments B2) and fill the
-/// gap it leaves (B3). Returns an empty string, or the reason why it was refused; then `complex` is as it was.
-/// `covered` (may be null) receives the charts that the sheet covers: the group's, and those added to settle a conflict.
+/// gap it leaves (B3). `topology` is this complex's, and out of date when a sheet was inserted. Returns an empty string, or the reason why
+/// it was refused; then `complex` is as it was. `covered` (may be null) receives the charts that the sheet covers: the group's, and those
+/// added to settle a conflict.
 std::string insert_sheet(HexComplex& complex, const HexTopology& topology, const FeatureShape& shape, const Geometry& geometry,
                          const SheetGroup& group, const SheetOptions& options, Context& context, std::vector<int>* covered = nullptr);
 

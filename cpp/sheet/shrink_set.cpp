@@ -97,6 +97,7 @@ class Chooser {
   // where the sheet would otherwise wrap an acute edge, whose angle two hexahedra share badly. Returns how many.
   int part_rows(const Terminals& t) {
     int rows = 0;
+    if (group_.cad_edge > 0) return rows;  // there every hexahedron is a block of its own
     for (const auto& [block, chart] : t.by) rows += t.source[block] && chart >= 0 && wraps_acute_edge(chart) && part_row(block, chart);
     return rows;
   }

@@ -194,4 +194,9 @@ void Boundary::store(std::vector<CadPlace>& place) const {
     if (dim_[i] > 0) place[node_[i]].uv = feet_.parameter[i];
 }
 
+void Boundary::load(const std::vector<CadPlace>& place) {
+  for (std::size_t i = 0; i < node_.size(); ++i)
+    if (dim_[i] > 0) feet_.parameter[i] = place[node_[i]].uv;
+}
+
 }  // namespace hexfeature

@@ -59,6 +59,8 @@ class Boundary {
   bool drifted(const std::vector<double>& x, double limit) const;
   /// Write the feet's parameters into the places.
   void store(std::vector<CadPlace>& place) const;
+  /// The inverse: where the next feet are looked for first.
+  void load(const std::vector<CadPlace>& place);
   bool empty() const { return node_.empty(); }
 
  private:

@@ -16,7 +16,7 @@ constexpr int kRounds = 3, kSteps = 15;
 std::vector<double> floors(const Patch& patch, double worst) {
   std::vector<double> floor;
   patch.measure(patch.x, floor);
-  for (double& f : floor) f = std::max(worst, kGranted * std::min(f, kPoor));
+  for (double& f : floor) f = std::min(f, std::max(worst, kGranted * std::min(f, kPoor)));
   return floor;
 }
 

@@ -15,7 +15,7 @@ constexpr double kShortEdge = 0.06;  ///< of h: a mesh edge gets shorter than th
 constexpr double kLeastEdge = 0.05;  ///< ... and hardly shorter than this, unless it was
 constexpr double kGranted = 0.97;    ///< what "hardly" grants of a length, in one place
 constexpr std::array<double, 5> kPowers{12, 24, 48, 96, 192};
-constexpr double kPatience = 24;  ///< power by which the least one must have risen, where time is short
+constexpr double kPatience = 24;  ///< power by which the least one must have risen, or a raise that is not patient ends
 
 using Corners = Eigen::Matrix<double, 3, 8>;
 using Frame = Eigen::Matrix<double, 8, 3>;  ///< corners * frame: the three edges at a corner, or the axes at the centre

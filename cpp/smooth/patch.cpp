@@ -65,10 +65,11 @@ Patch::Patch(const HexComplex& mesh, const std::vector<char>& free_points, Smoot
 Patch::Patch(const HexComplex& mesh, const std::vector<char>& free_points, std::vector<int> elements_, SmoothSetting& setting_,
              Workers& workers_)
     : setting(setting_), workers(workers_), elements(std::move(elements_)) {
-  for (int h : elements) nodes.insert(nodes.end(), mesh.hexes[h].begin(), mesh.hexes[h].end());
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   std::vector<int> own(mesh.points.size(), -1);
+  for (int h : elements)
+    for (int v : mesh.hexes[h])
+      if (own[v] < 0) own[v] = 0, nodes.push_back(v);
+  std::sort(nodes.begin(), nodes.end());
   for (std::size_t i = 0; i < nodes.size(); ++i) own[nodes[i]] = static_cast<int>(i);
   setting.context.check();
   std::vector<CadPlace> place;
@@ -127,7 +128,12 @@ void Patch::write_back(HexComplex& mesh) const {
 }
 
 void Patch::read(const HexComplex& mesh) {
-  for (std::size_t i = 0; i < nodes.size(); ++i) Eigen::Map<Vec3>(x.data() + 3 * i) = mesh.points[nodes[i]];
+  std::vector<CadPlace> place;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    Eigen::Map<Vec3>(x.data() + 3 * i) = mesh.points[nodes[i]];
+    place.push_back(mesh.place[nodes[i]]);
+  }
+  boundary->load(place);
 }
 
 std::vector<double> Patch::retract(const std::vector<double>& from, const std::vector<double>& moved, const std::vector<double>& floor) {

@@ -71,7 +71,7 @@ class Patch {
   void measure(const std::vector<double>& at, std::vector<double>& quality) const;
   /// Put points and parameters back into the mesh.
   void write_back(HexComplex& mesh) const;
-  /// Take the points from the mesh.
+  /// Take points and parameters from the mesh.
   void read(const HexComplex& mesh);
   /// From a state on the CAD to `moved`, which has left it along tangents: every point on its CAD entity, as far along as no
   /// element turns inverted that was not, or falls below its scaled Jacobian in `floor` (none when empty), which it had. Returns the new
@@ -85,7 +85,6 @@ class Patch {
   std::vector<std::array<int, 8>> hexes;  ///< in own numbers
   std::vector<char> free;                 ///< per own point
   std::vector<double> x;                  ///< 3 per own point
-  std::vector<double> stiffness;          ///< per own point: about the second derivative of the shape energy
   std::unique_ptr<Boundary> boundary;
   std::unique_ptr<HexEnergy> energy;
 };
@@ -117,13 +116,13 @@ struct PlaceRules {
   double progress = 0;    ///< of the whole of smoothing, at the first place
 };
 
-/// The worst element with its neighbourhood alone, then the next one, at most sixty; those that are about as bad and share nothing at
+/// The worst element with its neighbourhood alone, then the next one, at most sixty; bad ones that share nothing at
 /// once. `lift` changes a patch and returns what is gained; it is called from several threads.
 void lift_each_place(HexComplex& mesh, SmoothSetting& setting, const PlaceRules& rules, const std::function<double(Patch&)>& lift);
 
 /// (2) of experiments B5: penalised untangling rounds, first of the whole patch, then of what is still inverted where its boundary
 /// points are put onto the CAD, with the elements around. Returns the number of rounds.
-int untangle_softly(HexComplex& mesh, Patch& whole);
+int untangle_softly(HexComplex& mesh, Patch& patch);
 /// (3): exact sliding. The patch ends on the CAD.
 void slide(Patch& patch);
 /// (4): lift the worst elements. Requires a patch on the CAD and no inverted element.

@@ -33,8 +33,8 @@ struct SmoothReport {
 /// 2 on the surface) and end exactly on it; place.uv is kept up to date. Changes points and place only. Deterministic.
 SmoothReport smooth(HexComplex& complex, const Projector& projector, const SmoothOptions& options, Context& context);
 
-/// Lift the mean scaled Jacobian of a smoothed mesh without inverted elements. The worst element stays as good as it is, and poor ones lose
-/// next to nothing. Points slide as they do in `smooth`, so what the mesh keeps of the CAD may change a little.
+/// Lift the mean scaled Jacobian of a smoothed mesh without inverted elements. The worst element stays as good as it is or gains, and poor
+/// ones lose little. Points slide as they do in `smooth`, so what the mesh keeps of the CAD may change a little.
 SmoothReport smooth_mean(HexComplex& complex, const Projector& projector, const SmoothOptions& options, Context& context);
 
 }  // namespace hexfeature

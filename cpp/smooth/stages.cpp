@@ -98,29 +98,31 @@ bool soft_rounds(Patch& patch, int& round, int last) {
 
 }  // namespace
 
-int untangle_softly(HexComplex& mesh, Patch& whole) {
+int untangle_softly(HexComplex& mesh, Patch& patch) {
   // What is inverted after these rounds is stuck in some place, and the other elements have come to rest.
   constexpr int kTogether = 4, kRings = 3;
-  const int most = whole.setting.options.untangle_rounds;
+  const int most = patch.setting.options.untangle_rounds;
   int round = 0;
-  if (soft_rounds(whole, round, std::min(kTogether, most))) return round;
-  whole.boundary->find_feet(whole.x);
+  if (soft_rounds(patch, round, std::min(kTogether, most)) || round == most) return round;
+  patch.boundary->find_feet(patch.x);
   std::vector<double> quality;
-  whole.measure(snapped(whole), quality);
-  std::vector<char> stuck(mesh.hexes.size(), 0);
-  for (std::size_t i = 0; i < quality.size(); ++i) stuck[whole.elements[i]] = !(quality[i] > 0);
+  patch.measure(snapped(patch), quality);
+  std::vector<char> stuck(mesh.hexes.size(), 0), may_move(mesh.points.size(), 0);
+  for (std::size_t i = 0; i < quality.size(); ++i) stuck[patch.elements[i]] = !(quality[i] > 0);
+  for (std::size_t i = 0; i < patch.nodes.size(); ++i) may_move[patch.nodes[i]] = patch.free[i];
   std::vector<char> near = points_near(mesh, kRings, [&](int h) { return stuck[h] != 0; });
-  for (std::size_t i = 0; i < whole.nodes.size(); ++i)
-    if (!whole.free[i]) near[whole.nodes[i]] = 0;
-  whole.write_back(mesh);
-  Patch part(mesh, near, whole.setting);
-  if (2 * part.hexes.size() > whole.hexes.size()) {
-    soft_rounds(whole, round, most);
+  for (std::size_t v = 0; v < near.size(); ++v) near[v] = near[v] && may_move[v];
+  const auto moves = [&](int h) { return std::any_of(mesh.hexes[h].begin(), mesh.hexes[h].end(), [&](int v) { return near[v] != 0; }); };
+  const auto moving = std::count_if(patch.elements.begin(), patch.elements.end(), moves);
+  if (2 * moving > static_cast<long>(patch.elements.size())) {
+    soft_rounds(patch, round, most);
     return round;
   }
+  patch.write_back(mesh);
+  Patch part(mesh, near, patch.setting);
   soft_rounds(part, round, most);
   part.write_back(mesh);
-  whole.read(mesh);
+  patch.read(mesh);
   return round;
 }
 

@@ -93,28 +93,47 @@ struct Place {
 /// Of a bad element: whether its place was tried in vain; if so, when it was the worst one, or before.
 enum class InVain : char { No, Early, Yes };
 
-/// The elements round one that is bad, in rising order: those that have a point of it or of `rings` more elements. These points are free.
-std::vector<int> neighbourhood(const HexComplex& mesh, const Incidence& incidence, int bad, int rings, std::vector<char>& free) {
-  std::vector<int> elements{bad}, points;
-  std::vector<char> inside(mesh.hexes.size(), 0);
-  inside[bad] = 1;
-  std::size_t next_element = 0, next_point = 0;
-  for (int ring = 0; ring <= rings; ++ring) {
-    for (; next_element < elements.size(); ++next_element)
-      for (int v : mesh.hexes[elements[next_element]])
-        if (!free[v]) free[v] = 1, points.push_back(v);
-    for (; next_point < points.size(); ++next_point)
-      for (int h : incidence.at(points[next_point]))
-        if (!inside[h]) inside[h] = 1, elements.push_back(h);
+/// The elements round one that is bad: those that have a point of it or of `rings` more elements.
+class Neighbourhood {
+ public:
+  Neighbourhood(const HexComplex& mesh, const Incidence& incidence)
+      : mesh_(mesh), incidence_(incidence), free_(mesh.points.size(), 0), inside_(mesh.hexes.size(), 0) {}
+
+  /// False when it meets an element that is taken.
+  bool grow(int bad, int rings, const std::vector<char>& taken) {
+    for (int v : points_) free_[v] = 0;
+    for (int h : elements_) inside_[h] = 0;
+    points_.clear();
+    elements_.assign(1, bad);
+    inside_[bad] = 1;
+    std::size_t next_element = 0, next_point = 0;
+    for (int ring = 0; ring <= rings; ++ring) {
+      for (; next_element < elements_.size(); ++next_element)
+        for (int v : mesh_.hexes[elements_[next_element]])
+          if (!free_[v]) free_[v] = 1, points_.push_back(v);
+      for (; next_point < points_.size(); ++next_point)
+        for (int h : incidence_.at(points_[next_point])) {
+          if (taken[h]) return false;
+          if (!inside_[h]) inside_[h] = 1, elements_.push_back(h);
+        }
+    }
+    std::sort(elements_.begin(), elements_.end());
+    return true;
   }
-  std::sort(elements.begin(), elements.end());
-  return elements;
-}
+  const std::vector<int>& elements() const { return elements_; }  ///< in rising order
+  const std::vector<char>& free() const { return free_; }         ///< per point of the mesh: it may move
+
+ private:
+  const HexComplex& mesh_;
+  const Incidence& incidence_;
+  std::vector<char> free_, inside_;
+  std::vector<int> points_, elements_;
+};
 
 /// The worst elements below `limit` that were not tried in vain, with their neighbourhoods, as long as these share no element with each
 /// other. At most kTogether, whatever the number of threads; above the rules' limit, where only the mesh's worst element counts, about as
 /// bad ones.
-std::vector<Place> worst_places(const HexComplex& mesh, const Incidence& incidence, const std::vector<double>& quality,
+std::vector<Place> worst_places(const HexComplex& mesh, Neighbourhood& around, const std::vector<double>& quality,
                                 const std::vector<InVain>& in_vain, double limit, const PlaceRules& rules, SmoothSetting& setting,
                                 Workers& alone) {
   constexpr int kTogether = 4, kTries = 100;
@@ -131,11 +150,9 @@ std::vector<Place> worst_places(const HexComplex& mesh, const Incidence& inciden
     const int worst = bad[i];
     if (quality[worst] > std::max(rules.limit, quality[bad[0]] + kAsBad)) break;
     if (taken[worst] || (in_vain[worst] == InVain::Early && !places.empty())) continue;
-    std::vector<char> free(mesh.points.size(), 0);
-    std::vector<int> elements = neighbourhood(mesh, incidence, worst, rules.rings, free);
-    if (std::any_of(elements.begin(), elements.end(), [&](int h) { return taken[h] != 0; })) continue;
-    for (int h : elements) taken[h] = 1;
-    places.push_back({worst, std::make_unique<Patch>(mesh, free, std::move(elements), setting, alone)});
+    if (!around.grow(worst, rules.rings, taken)) continue;
+    for (int h : around.elements()) taken[h] = 1;
+    places.push_back({worst, std::make_unique<Patch>(mesh, around.free(), around.elements(), setting, alone)});
   }
   return places;
 }
@@ -148,11 +165,12 @@ void lift_each_place(HexComplex& mesh, SmoothSetting& setting, const PlaceRules&
   measure(mesh, setting.workers, quality);
   std::vector<InVain> in_vain(mesh.hexes.size(), InVain::No);
   const Incidence incidence(mesh.hexes, mesh.points.size());
+  Neighbourhood around(mesh, incidence);
   Workers alone(1, setting.context);
   double limit = rules.goal;
   for (int done = 0; done < kPlaces;) {
     setting.context.progress("smooth", rules.progress + 0.02 * done / kPlaces);
-    std::vector<Place> places = worst_places(mesh, incidence, quality, in_vain, limit, rules, setting, alone);
+    std::vector<Place> places = worst_places(mesh, around, quality, in_vain, limit, rules, setting, alone);
     if (places.empty()) return;
     setting.workers.run(static_cast<int>(places.size()), 2, [&](int begin, int end) {
       for (int i = begin; i < end; ++i) places[i].gain = lift(*places[i].patch);
