@@ -133,6 +133,8 @@ void lift_places(HexComplex& mesh, SmoothSetting& setting);
 void raise_minimum(HexComplex& mesh, SmoothSetting& setting, bool worst_alone = false);
 /// (7): the last bad elements, point by point, by their scaled Jacobian itself.
 void polish_worst(HexComplex& mesh, SmoothSetting& setting);
+/// (8): mesh edges a little shorter than they should be at least.
+void part_close_points(HexComplex& mesh, SmoothSetting& setting);
 /// The mean, which (4) may have spent on the worst element. That one stays as good as it is, and poor ones lose next to nothing.
 void lift_mean(HexComplex& mesh, SmoothSetting& setting);
 

@@ -210,10 +210,13 @@ void polish_worst(HexComplex& mesh, SmoothSetting& setting) {
   std::vector<double> quality;
   measure(mesh, setting.workers, quality);
   const double worst = quality.empty() ? 1 : *std::min_element(quality.begin(), quality.end());
-  if (!(worst > 0) || quality.empty()) return;
-  Polish polish(mesh, setting, quality);
-  if (worst < kLimit) polish.run();
-  if (!setting.options.brief) polish.part_close_points();
+  if (worst > 0 && worst < kLimit) Polish(mesh, setting, quality).run();
+}
+
+void part_close_points(HexComplex& mesh, SmoothSetting& setting) {
+  std::vector<double> quality;
+  measure(mesh, setting.workers, quality);
+  if (!quality.empty() && *std::min_element(quality.begin(), quality.end()) > 0) Polish(mesh, setting, quality).part_close_points();
 }
 
 }  // namespace hexfeature

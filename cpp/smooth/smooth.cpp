@@ -165,6 +165,7 @@ SmoothReport smooth(HexComplex& mesh, const Projector& projector, const SmoothOp
       lift_places(mesh, setting);
       raise_minimum(mesh, setting);
       polish_worst(mesh, setting);
+      if (!options.brief) part_close_points(mesh, setting);
     }
     report.deviation = settle(mesh, setting);
   }
@@ -183,6 +184,7 @@ SmoothReport smooth_mean(HexComplex& mesh, const Projector& projector, const Smo
   tell_before(grade_all(mesh, workers), report);
   lift_mean(mesh, setting);
   raise_minimum(mesh, setting, true);
+  part_close_points(mesh, setting);
   report.deviation = settle(mesh, setting);
   tell_after(grade_all(mesh, workers), mesh.hex_count(), report);
   return report;
