@@ -8,7 +8,8 @@
 namespace hexfeature {
 namespace {
 
-constexpr double kGood = 0.95;     ///< better elements have little to give
+/// Better elements are good enough: to make them better still evens out their angles and not their sizes, and stresses get worse.
+constexpr double kGood = 0.9;
 constexpr double kPoor = 0.5;      ///< elements below it are not to pay ...
 constexpr double kGranted = 0.98;  ///< ... more than a little; no element falls below the mesh's worst
 constexpr int kRounds = 3, kSteps = 15;
@@ -27,7 +28,7 @@ void lift_mean(HexComplex& mesh, SmoothSetting& setting) {
   measure(mesh, setting.workers, quality);
   const double worst = *std::min_element(quality.begin(), quality.end());
   if (!(worst > 0) || worst >= kGood) return;
-  Patch patch(mesh, points_near(mesh, 2, [&](int h) { return quality[h] < kGood; }), setting);
+  Patch patch(mesh, points_near(mesh, 1, [&](int h) { return quality[h] < kGood; }), setting);
   patch.boundary->find_feet(patch.x);
   patch.boundary->snap(patch.x);
   const double start = patch.grade().sum_sj;
