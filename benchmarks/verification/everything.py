@@ -15,6 +15,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE)]
 
+import arguments  # noqa: E402
 import page  # noqa: E402
 
 SCRIPTS = ("freecad_examples.py", "freecad_loads.py", "run.py")  #: the longest first
@@ -45,4 +46,4 @@ def main(out):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1] if len(sys.argv) > 1 else "out/verification"))
+    sys.exit(main(arguments.parse(__doc__).out))

@@ -22,6 +22,7 @@ import FreeCAD  # noqa: E402
 
 import numpy as np  # noqa: E402
 
+import arguments  # noqa: E402
 import calculix  # noqa: E402
 import meshers  # noqa: E402
 import supports  # noqa: E402
@@ -234,4 +235,5 @@ def main(out, names):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1] if len(sys.argv) > 1 else "out/verification", sys.argv[2:]))
+    asked = arguments.parse(__doc__, "NAME")
+    sys.exit(main(asked.out, asked.names))

@@ -27,6 +27,7 @@ import Part  # noqa: E402
 
 import numpy as np  # noqa: E402
 
+import arguments  # noqa: E402
 import calculix  # noqa: E402
 import HexFeatureWB  # noqa: E402
 from deck import Deck  # noqa: E402
@@ -404,4 +405,5 @@ def main(out, names):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1] if len(sys.argv) > 1 else "out/verification", sys.argv[2:]))
+    asked = arguments.parse(__doc__, "NAME")
+    sys.exit(main(asked.out, asked.names))

@@ -18,6 +18,7 @@ HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parents[1] / "python")]
 
 import shapes  # noqa: E402  FreeCAD first
+import arguments  # noqa: E402
 import calculix  # noqa: E402
 import gates  # noqa: E402
 import meshers  # noqa: E402
@@ -80,4 +81,5 @@ def main(out, names):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1] if len(sys.argv) > 1 else "out/verification", sys.argv[2:]))
+    asked = arguments.parse(__doc__, "NAME")
+    sys.exit(main(asked.out, asked.names))

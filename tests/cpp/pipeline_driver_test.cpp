@@ -5,24 +5,12 @@
 #include <chrono>
 
 #include "pipeline/solid.h"
+#include "pipeline_fixtures.h"
 
 using namespace hexfeature;
+using namespace fixtures;
 
 namespace {
-
-struct NoPart : Part {
-  Geometry geometry() const override { return {}; }
-  int solid_count() const override { return 1; }
-  double volume() const override { return 1; }
-  double diagonal() const override { return 1; }
-  std::vector<std::string> warnings() const override { return {}; }
-  std::vector<Mat3> frames() const override { return {Mat3::Identity()}; }
-  void place(const Mat3&) override {}
-  void place_in_world() override {}
-  Vec3 to_world(const Vec3& p) const override { return p; }
-  Vec3 centre() const override { return Vec3::Zero(); }
-  SurfaceMesh surface(double, Context&) const override { return {}; }
-};
 
 /// A method whose mesh is worth that, and has so many points as its name is long.
 Method yields(const std::string& name, bool faithful, double min_sj, double mean_sj) {

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <vector>
 
 #include "hex_fixtures.h"
 #include "pipeline/fitted_mesh.h"
+#include "pipeline_fixtures.h"
 #include "recover/face_cover.h"
 
 using namespace hexfeature;
@@ -19,21 +19,11 @@ namespace {
 constexpr double kRadius = 5;
 
 /// A ball of one CAD face, or of two that are no neighbours of each other.
-struct Ball : Part {
+struct Ball : NoPart {
   explicit Ball(int faces_) : faces(faces_) {
     for (CadFace& f : faces) f.kind = SurfaceKind::Sphere;
   }
   Geometry geometry() const override { return {&faces, &edges, &vertices, &projector}; }
-  int solid_count() const override { return 1; }
-  double volume() const override { return 4.0 / 3.0 * kPi * std::pow(kRadius, 3); }
-  double diagonal() const override { return 2 * kRadius; }
-  std::vector<std::string> warnings() const override { return {}; }
-  std::vector<Mat3> frames() const override { return {Mat3::Identity()}; }
-  void place(const Mat3&) override {}
-  void place_in_world() override {}
-  Vec3 to_world(const Vec3& p) const override { return p; }
-  Vec3 centre() const override { return Vec3::Zero(); }
-  SurfaceMesh surface(double, Context&) const override { return {}; }
 
   SphereProjector projector{kRadius};
   std::vector<CadFace> faces;
