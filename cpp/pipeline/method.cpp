@@ -47,6 +47,7 @@ Worth worth_of(const HexComplex& mesh, const SmoothReport& smoothing, const Soli
 void SolidTask::place(int frame) const {
   if (run.placed == frame) return;
   run.placed = -1;
+  if (run.tets_ahead) run.tets_ahead->stop();  // it looks at the part where that was
   part.place(frames[frame]);
   run.result.rotation = frames[frame];
   run.result.centre = part.centre();

@@ -71,5 +71,7 @@ const std::vector<Method>& all_methods();
 
 Candidate mesh_by_feature_line(const SolidTask& task);
 Candidate mesh_by_tet_split(const SolidTask& task);
+/// The task is in its first frame: begin what tet-split will need on a thread of its own, should the method before it take long.
+void begin_tets_ahead(const SolidTask& task);
 
 }  // namespace hexfeature

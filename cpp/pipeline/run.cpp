@@ -30,6 +30,7 @@ void Run::begin_solid(int solid) {
   solid_ = solid;
   shown_ = false;
   placed = -1;
+  tets_ahead.reset();
 }
 
 void Run::show_first(const SurfaceMesh& mesh, const FeatureShape& shape) {

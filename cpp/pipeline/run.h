@@ -1,12 +1,14 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <set>
 #include <string>
 
 #include "base/context.h"
 #include "base/options.h"
 #include "pipeline/pipeline.h"
+#include "tetsplit/tets_ahead.h"
 
 namespace hexfeature {
 
@@ -25,11 +27,17 @@ class Run {
   const Options& options;
   Context& context;
   Result& result;
-  Look look;        ///< of whoever started the run; may be empty
-  int placed = -1;  ///< the frame that the present solid and result.surface are in; -1: none
+  Look look;                              ///< of whoever started the run; may be empty
+  int placed = -1;                        ///< the frame that the present solid and result.surface are in; -1: none
+  std::unique_ptr<TetsAhead> tets_ahead;  ///< of the present solid; may be empty
 
   /// Whether another method is to come: what this one finds hard need not be tried in every way.
   bool another_way() const { return options.method == "auto"; }
+
+  /// From here on one step after the other has work for all threads.
+  void needs_all_threads() const {
+    if (tets_ahead) tets_ahead->leave_off();
+  }
 
   /// What is shown from now on is of this solid.
   void begin_solid(int solid);

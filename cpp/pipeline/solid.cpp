@@ -74,6 +74,7 @@ HexComplex mesh_solid(Part& part, int solid, const std::vector<Mat3>& frames, Ru
     }
     if (best && best->worth.sufficient()) break;
   }
+  run.tets_ahead.reset();
   if (!best) throw *failure;
   return take(*best, run.result);
 }

@@ -1,10 +1,42 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #include <algorithm>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <system_error>
+#include <utility>
 
 #include "pipeline/method.h"
 #include "tetsplit/tet_split.h"
 
 namespace hexfeature {
+namespace {
+
+/// What labels may take before it looks as if they might be in vain; most take less than 0.1 s, lattice and fit with them.
+constexpr std::chrono::milliseconds kPatience{150};
+
+/// Triangles of a surface that is too large for work in vain.
+constexpr int kMostTriangles = 200000;
+
+TetSplitOptions options_for(const Options& options) {
+  TetSplitOptions o;
+  o.size = options.size;
+  o.threads = options.threads;
+  return o;
+}
+
+}  // namespace
+
+void begin_tets_ahead(const SolidTask& task) {
+  Run& run = task.run;
+  // A memory limit is for what the run needs, and is not to be reached for what it may need.
+  if (run.tets_ahead || run.options.threads < 2 || run.options.memory_limit > 0 || !run.options.stop_after.empty()) return;
+  if (run.result.surface.triangle_count() > kMostTriangles) return;
+  try {
+    run.tets_ahead = std::make_unique<TetsAhead>(run.result.surface, task.part.geometry(), options_for(run.options), kPatience);
+  } catch (const std::system_error&) {  // no thread to be had
+  }
+}
 
 Candidate mesh_by_tet_split(const SolidTask& task) {
   Run& run = task.run;
@@ -14,17 +46,19 @@ Candidate mesh_by_tet_split(const SolidTask& task) {
   try {
     task.place(0);
     run.begin("tet-split");
-    TetSplitOptions options;
-    options.size = run.options.size;
-    options.threads = run.options.threads;
+    const TetSplitOptions options = options_for(run.options);
+    const Geometry geometry = task.part.geometry();
+    std::optional<TetSplitStart> begun;
+    if (run.tets_ahead) begun = run.tets_ahead->take();
+    if (!begun) begun = begin_tet_split(run.result.surface, geometry, options, run.context);
     TetSplitReport report;
     Candidate candidate;
     candidate.method = attempt.method;
-    candidate.mesh = tet_split(run.result.surface, task.part.geometry(), options, run.context, report);
+    candidate.mesh = tet_split(std::move(*begun), geometry, options, run.context, report);
     std::fill(candidate.mesh.hex_solid.begin(), candidate.mesh.hex_solid.end(), task.solid);
     run.begin("certificate");
-    certify(candidate.mesh, *task.part.geometry().projector, static_cast<int>(task.part.geometry().faces->size()),
-            certificate_tolerance(run.result.surface), run.context);
+    certify(candidate.mesh, *geometry.projector, static_cast<int>(geometry.faces->size()), certificate_tolerance(run.result.surface),
+            run.context);
     candidate.smoothing = report.smoothing;
     candidate.worth = worth_of(candidate.mesh, candidate.smoothing, task);
     candidate.rotation = run.result.rotation;

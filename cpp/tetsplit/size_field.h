@@ -10,16 +10,16 @@
 namespace hexfeature {
 
 struct SizeOptions {
-  double longest = 3;        ///< triangle edge length where nothing asks for less
-  double least = 0.7;        ///< narrow faces and short edges ask for no less than this
-  double least_curve = 1.1;  ///< tight curvature asks for no less than this, as far as it can do with it:
-  double turn = 1.05;        ///< radians of curvature that one edge may span (six edges a turn)
-  double tight_edge = 1.4;   ///< ... at most so many radians on CAD edges
-  double tight_face = 2.0;   ///< ... and on faces: a fillet is one strip of triangles
-  double walls = 1.8;        ///< edge length over the thickness of a wall
-  double least_wall = 0.35;  ///< walls ask for no less than this
-  double strips = 1.4;       ///< edge length over the width of a narrow face or the length of a short CAD edge
-  double grading = 0.7;      ///< the length grows by no more than this times the distance
+  double longest = 3;         ///< triangle edge length where nothing asks for less
+  double least = 0.7;         ///< narrow faces and short edges ask for no less than this
+  double least_curve = 1.25;  ///< tight curvature asks for no less than this, as far as it can do with it:
+  double turn = 1.15;         ///< radians of curvature that one edge may span (five or six edges a turn)
+  double tight_edge = 1.4;    ///< ... at most so many radians on CAD edges
+  double tight_face = 2.0;    ///< ... and on faces: a fillet is one strip of triangles
+  double walls = 1.8;         ///< edge length over the thickness of a wall
+  double least_wall = 0.5;    ///< walls ask for no less than this
+  double strips = 1.8;        ///< edge length over the width of a narrow face or the length of a short CAD edge
+  double grading = 0.7;       ///< the length grows by no more than this times the distance
 };
 
 /// Edge length that a triangulation should have, as a function of the place on the surface: from curvature, the width of faces,

@@ -42,25 +42,47 @@ std::vector<Vec3> bad_places(const HexComplex& mesh, double limit, const Context
   return places;
 }
 
+FilledSurface fill(Remesher remesher, const SizeField& lengths, const TetSplitOptions& options, Context& context) {
+  FilledSurface filled;
+  remesher.remesh([&](const Vec3& p) { return lengths.at(p); }, 6, context);
+  remesher.cut_ears(context);
+  filled.triangles = remesher.result(context, &filled.pinned);
+  TetOptions filling;
+  filling.longest = kTetEdge * options.size;
+  filling.program = options.netgen;
+  filled.tets = fill_with_tetrahedra(filled.triangles, filling, context);
+  return filled;
+}
+
 }  // namespace
 
-HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const TetSplitOptions& options, Context& context,
+TetSplitStart begin_tet_split(const SurfaceMesh& surface, const Geometry& geometry, const TetSplitOptions& options, Context& context) {
+  const double h = options.size;
+  context.progress("tet-split", 0);
+  SizeOptions sizes;
+  sizes.longest = kTetEdge * h;
+  sizes.least = 0.7 * h;
+  sizes.least_curve = 1.25 * h;
+  sizes.least_wall = 0.5 * h;
+  Remesher whole(surface, geometry, kTiny * h);
+  whole.refine([&](const Vec3&) { return h; }, context);
+  TetSplitStart start{whole, SizeField(whole.result(context), geometry, sizes, context), {}, {}};
+  try {
+    start.first = fill(std::move(whole), start.lengths, options, context);
+  } catch (const MeshingError& error) {
+    if (error.kind != Failure::NoMesh) throw;
+    start.failure = error;
+  }
+  return start;
+}
+
+HexComplex tet_split(TetSplitStart start, const Geometry& geometry, const TetSplitOptions& options, Context& context,
                      TetSplitReport& report) {
   // Edge lengths of the attempts over those asked for. The second is finer only where the first was bad, if it gave a mesh; the others
   // are other everywhere, since other elements meet there.
   constexpr double kFiner = 0.6;
   constexpr std::array<double, 5> kLengths{1, kFiner, 1.2, 0.85, 0.72};
   const double h = options.size;
-  context.progress("tet-split", 0);
-  SizeOptions sizes;
-  sizes.longest = kTetEdge * h;
-  sizes.least = 0.7 * h;
-  sizes.least_curve = 1.1 * h;
-  sizes.least_wall = 0.35 * h;
-  Remesher whole(surface, geometry, kTiny * h);
-  whole.refine([&](const Vec3&) { return h; }, context);
-  const SizeField base(whole.result(context), geometry, sizes, context);
-
   SmoothOptions smoothing;
   smoothing.size = h;
   smoothing.threads = options.threads;
@@ -71,26 +93,23 @@ HexComplex tet_split(const SurfaceMesh& surface, const Geometry& geometry, const
   int work = 0;
   std::optional<MeshingError> failure;
   const auto there = [&] { return best && report.smoothing.inverted == 0; };
-  const auto make = [&](int attempt) {
-    context.progress("tet-split", static_cast<double>(attempt) / options.attempts);
+  const auto filled = [&](int attempt) {
+    if (attempt == 0 && start.failure) throw MeshingError(*start.failure);
+    if (attempt == 0) return std::move(*start.first);
     const bool refining = attempt == 1 && best;
-    SizeField field = base.scaled(refining ? 1 : kLengths[std::min<std::size_t>(attempt, kLengths.size() - 1)]);
+    SizeField lengths = start.lengths.scaled(refining ? 1 : kLengths[std::min<std::size_t>(attempt, kLengths.size() - 1)]);
     if (refining) {
-      field.refine(bad_places(*best, options.good_enough, context), kFiner, context);
+      lengths.refine(bad_places(*best, options.good_enough, context), kFiner, context);
       if (report.smoothing.min_sj < kTipsForbid) {
-        cut.emplace(whole);
+        cut.emplace(start.surface);
         context.log("tet-split: " + std::to_string(cut->cut_tips(kTipWidth * h, kTipLength * h, context)) + " tips cut");
       }
     }
-    Remesher remesher = cut ? *cut : whole;
-    remesher.remesh([&](const Vec3& p) { return field.at(p); }, 6, context);
-    remesher.cut_ears(context);
-    std::vector<int> pinned;
-    const SurfaceMesh triangles = remesher.result(context, &pinned);
-    TetOptions filling;
-    filling.longest = sizes.longest;
-    filling.program = options.netgen;
-    TetMesh tets = fill_with_tetrahedra(triangles, filling, context);
+    return fill(cut ? *cut : start.surface, lengths, options, context);
+  };
+  const auto make = [&](int attempt) {
+    context.progress("tet-split", static_cast<double>(attempt) / options.attempts);
+    auto [triangles, pinned, tets] = filled(attempt);
     relieve_boundary(tets, triangles, context);
     HexComplex mesh = split_tetrahedra(tets, triangles, geometry, context);
     smoothing.held = pinned;

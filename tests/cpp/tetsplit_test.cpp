@@ -2,6 +2,7 @@
 // The tet-split method piece by piece: CAD shapes from OCCT, tetrahedra by hand.
 #include <doctest/doctest.h>
 
+#include <chrono>
 #include <cmath>
 #include <random>
 
@@ -14,6 +15,7 @@
 #include "tetsplit/size_field.h"
 #include "tetsplit/split.h"
 #include "tetsplit/tet_split.h"
+#include "tetsplit/tets_ahead.h"
 
 using namespace hexfeature;
 using cad_shapes::surface_of;
@@ -170,7 +172,10 @@ TEST_CASE("the whole method: parts without a polycube get a certified mesh with 
     TetSplitOptions options;
     options.size = 2;
     TetSplitReport report;
-    const HexComplex mesh = tet_split(surface_of(*model, options.size), model->geometry(), options, context, report);
+    const auto mesh_with = [&](const TetSplitOptions& o, TetSplitReport& r) {
+      return tet_split(begin_tet_split(surface_of(*model, o.size), model->geometry(), o, context), model->geometry(), o, context, r);
+    };
+    const HexComplex mesh = mesh_with(options, report);
     CHECK(mesh.hex_count() == 4 * report.tetrahedra);
     CHECK(check_topology(mesh, context).count == 0);
     double sum = 0;
@@ -184,7 +189,7 @@ TEST_CASE("the whole method: parts without a polycube get a certified mesh with 
     TetSplitOptions one_thread = options;
     one_thread.threads = 1;
     TetSplitReport again;
-    const HexComplex same = tet_split(surface_of(*model, options.size), model->geometry(), one_thread, context, again);
+    const HexComplex same = mesh_with(one_thread, again);
     CHECK(same.points == mesh.points);
     CHECK(same.hexes == mesh.hexes);
   }
@@ -219,4 +224,52 @@ TEST_CASE("without the tetrahedral mesher the error says what to install") {
     CHECK(error.step == "tetrahedra");
     CHECK(error.hint.find("libnglib-dev") != std::string::npos);
   }
+}
+
+TEST_CASE("what is made ahead is what would be made later, and nothing is there when it was not begun or not wanted") {
+  using std::chrono::hours;
+  using std::chrono::milliseconds;
+  const auto model = cad_shapes::model_of(cad_shapes::plate_with_hole());
+  TetSplitOptions options;
+  options.size = 2;
+  const SurfaceMesh surface = surface_of(*model, options.size);
+  Context context;
+  const TetSplitStart later = begin_tet_split(surface, model->geometry(), options, context);
+  REQUIRE(later.first);
+
+  std::optional<TetSplitStart> ahead;
+  for (int wait = 1; !ahead && wait < 5000; wait *= 2) {  // until it has begun
+    TetsAhead at_once(surface, model->geometry(), options, milliseconds(0));
+    std::this_thread::sleep_for(milliseconds(wait));
+    ahead = at_once.take();
+  }
+  REQUIRE(ahead);
+  REQUIRE(ahead->first);
+  CHECK(ahead->first->tets.points == later.first->tets.points);
+  CHECK(ahead->first->tets.tets == later.first->tets.tets);
+  CHECK(ahead->first->triangles.triangles == later.first->triangles.triangles);
+  CHECK(ahead->first->pinned == later.first->pinned);
+
+  TetsAhead not_begun(surface, model->geometry(), options, hours(1));
+  CHECK(!not_begun.take());
+
+  options.size = 0.2;  // takes seconds
+  TetsAhead unwanted(surface_of(*model, 1), model->geometry(), options, milliseconds(0));
+  std::this_thread::sleep_for(milliseconds(20));
+  unwanted.stop();
+  CHECK(!unwanted.take());
+}
+
+TEST_CASE("a surface that cannot be filled ahead is told by the method itself") {
+  const auto model = cad_shapes::model_of(cad_shapes::plate_with_hole());
+  TetSplitOptions options;
+  options.size = 2;
+  options.netgen = "/nowhere/hexfeature-netgen";
+  Context context;
+  TetSplitStart start = begin_tet_split(surface_of(*model, options.size), model->geometry(), options, context);
+  CHECK(!start.first);
+  REQUIRE(start.failure);
+  CHECK(start.failure->step == "tetrahedra");
+  TetSplitReport report;
+  CHECK_THROWS_AS(tet_split(std::move(start), model->geometry(), options, context, report), MeshingError);
 }
