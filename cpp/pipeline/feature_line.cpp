@@ -186,7 +186,7 @@ SheetTrial fit_and_smooth(const MadeFrom& made_from) {
       }
       require_few_folded(complex);
     }
-    run.needs_all_threads();
+    run.leave_off_ahead();
     rules.once = turned > 0;
     SheetTrial best = smooth_with_sheets(complex, made_from, rules, vain);
     const int inverted = best.smoothing.inverted;

@@ -61,7 +61,7 @@ Candidate mesh_by_feature_line(const SolidTask& task) {
       if (proposal.frame != frame) {
         frame = proposal.frame;
         task.place(frame);
-        if (frame == 0 && run.another_way()) begin_tets_ahead(task);
+        begin_tets_ahead(task);
       }
       Candidate candidate;
       candidate.method = attempt.method;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pipeline/faithfulness.h"
+#include "tetsplit/tets_ahead.h"
 
 namespace hexfeature {
 

@@ -71,7 +71,8 @@ const std::vector<Method>& all_methods();
 
 Candidate mesh_by_feature_line(const SolidTask& task);
 Candidate mesh_by_tet_split(const SolidTask& task);
-/// The task is in its first frame: begin what tet-split will need on a thread of its own, should the method before it take long.
+/// Called by a method when the task has been placed: what tet-split will need begins on a thread of its own, in the first frame, should
+/// that method take long and tet-split come after it.
 void begin_tets_ahead(const SolidTask& task);
 
 }  // namespace hexfeature

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/fingerprint.h"
+#include "tetsplit/tets_ahead.h"
 
 namespace hexfeature {
 
@@ -14,6 +15,14 @@ double certificate_tolerance(const SurfaceMesh& surface) {
     hi = hi.cwiseMax(p);
   }
   return std::max(1e-8, 1e-9 * (hi - lo).norm());
+}
+
+Run::Run(const Options& options_, Context& context_, Result& result_) : options(options_), context(context_), result(result_) {}
+
+Run::~Run() = default;
+
+void Run::leave_off_ahead() {
+  if (tets_ahead) tets_ahead->leave_off();
 }
 
 bool Run::is_new(const LabelledSurface& labels) {

@@ -8,7 +8,6 @@
 #include "base/context.h"
 #include "base/options.h"
 #include "pipeline/pipeline.h"
-#include "tetsplit/tets_ahead.h"
 
 namespace hexfeature {
 
@@ -20,10 +19,13 @@ struct Stopped {
 /// How far boundary nodes may be from the CAD: 1e-8, or what double precision leaves of the part's size.
 double certificate_tolerance(const SurfaceMesh& surface);
 
+class TetsAhead;
+
 /// One run in progress: options, context, the result being filled, and the clock of its steps.
 class Run {
  public:
-  Run(const Options& options_, Context& context_, Result& result_) : options(options_), context(context_), result(result_) {}
+  Run(const Options& options_, Context& context_, Result& result_);
+  ~Run();
   const Options& options;
   Context& context;
   Result& result;
@@ -34,10 +36,8 @@ class Run {
   /// Whether another method is to come: what this one finds hard need not be tried in every way.
   bool another_way() const { return options.method == "auto"; }
 
-  /// From here on one step after the other has work for all threads.
-  void needs_all_threads() const {
-    if (tets_ahead) tets_ahead->leave_off();
-  }
+  /// What is being made ahead is given up: from here on there is work for all threads.
+  void leave_off_ahead();
 
   /// What is shown from now on is of this solid.
   void begin_solid(int solid);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/share.h"
+#include "tetsplit/tets_ahead.h"
 
 namespace hexfeature {
 namespace {

@@ -2,20 +2,21 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <new>
 #include <optional>
 #include <system_error>
 #include <utility>
 
 #include "pipeline/method.h"
-#include "tetsplit/tet_split.h"
+#include "tetsplit/tets_ahead.h"
 
 namespace hexfeature {
 namespace {
 
-/// What labels may take before it looks as if they might be in vain; most take less than 0.1 s, lattice and fit with them.
+/// What labels, lattice and fit may take before it looks as if they might be in vain.
 constexpr std::chrono::milliseconds kPatience{150};
 
-/// Triangles of a surface that is too large for work in vain.
+/// Triangles of a surface on which so much work in vain would be felt: in memory, and by whoever else uses the processors.
 constexpr int kMostTriangles = 200000;
 
 TetSplitOptions options_for(const Options& options) {
@@ -29,12 +30,13 @@ TetSplitOptions options_for(const Options& options) {
 
 void begin_tets_ahead(const SolidTask& task) {
   Run& run = task.run;
-  // A memory limit is for what the run needs, and is not to be reached for what it may need.
-  if (run.tets_ahead || run.options.threads < 2 || run.options.memory_limit > 0 || !run.options.stop_after.empty()) return;
-  if (run.result.surface.triangle_count() > kMostTriangles) return;
+  if (run.tets_ahead || run.placed != 0 || !run.another_way() || run.options.threads < 2 || !run.options.stop_after.empty()) return;
+  // Memory is for what the run needs, and is not to end with what it may need.
+  if (run.options.memory_limit > 0 || run.result.surface.triangle_count() > kMostTriangles) return;
   try {
     run.tets_ahead = std::make_unique<TetsAhead>(run.result.surface, task.part.geometry(), options_for(run.options), kPatience);
   } catch (const std::system_error&) {  // no thread to be had
+  } catch (const std::bad_alloc&) {
   }
 }
 
@@ -49,7 +51,7 @@ Candidate mesh_by_tet_split(const SolidTask& task) {
     const TetSplitOptions options = options_for(run.options);
     const Geometry geometry = task.part.geometry();
     std::optional<TetSplitStart> begun;
-    if (run.tets_ahead) begun = run.tets_ahead->take();
+    if (run.tets_ahead) begun = run.tets_ahead->take(run.context);
     if (!begun) begun = begin_tet_split(run.result.surface, geometry, options, run.context);
     TetSplitReport report;
     Candidate candidate;

@@ -160,6 +160,13 @@ SmoothReport smooth(HexComplex& mesh, const Projector& projector, const SmoothOp
     report.rounds = untangle_softly(mesh, all);
     slide(all);
     all.write_back(mesh);
+    // What has become bad since the patch was made was not looked at closely.
+    for (int look = 0; options.brief && look < 2 && all.grade().inverted > 0; ++look) {
+      Patch closer = what_moves(mesh, setting);
+      slide(closer);
+      closer.write_back(mesh);
+      all.read(mesh);
+    }
     if (options.worst_stage) {
       lift_worst(mesh, setting);
       lift_places(mesh, setting);

@@ -15,8 +15,9 @@ struct SmoothOptions {
   bool worst_stage = true;     ///< the stage that lifts the worst element
   int threads = 2;             ///< results do not depend on it, bit for bit
   double least_target = 0.25;  ///< elements want to be no smaller than this many h
-  bool brief = false;          ///< lift the mass of poor elements only a little: where most are poor that takes the most time
-  std::vector<int> held;       ///< points that stay where they are; they must lie on their CAD entity already
+  /// Where most elements are poor by nature: slide only if some are inverted, lift the mass of them only a little.
+  bool brief = false;
+  std::vector<int> held;  ///< points that stay where they are; they must lie on their CAD entity already
   /// Of a smoothed mesh only these points are new: untangling and sliding move what is near them, the stages after that bad elements
   /// wherever they are. Empty: everything.
   std::vector<int> around;

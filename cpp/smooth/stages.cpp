@@ -73,14 +73,13 @@ std::vector<double> snapped(Patch& patch) {
 }
 
 /// Rounds from `round` on, before `last`; true when no more are needed or they lead nowhere.
-bool soft_rounds(Patch& patch, int& round, int last) {
+bool soft_rounds(Patch& patch, int& round, int last, Standstill& standstill) {
   const SmoothOptions& options = patch.setting.options;
   const double h = options.size;
   EnergyTerms terms;
   terms.theta = options.theta;
   terms.epsilon_squared = std::numeric_limits<double>::infinity();
   Lbfgs descent(static_cast<int>(patch.x.size()), patch.workers);
-  Standstill standstill;
   for (; round < last; ++round) {
     const double deviation = patch.boundary->find_feet(patch.x);
     const Grade grade = patch.grade();
@@ -101,28 +100,34 @@ bool soft_rounds(Patch& patch, int& round, int last) {
 int untangle_softly(HexComplex& mesh, Patch& patch) {
   // What is inverted after these rounds is stuck in some place, and the other elements have come to rest.
   constexpr int kTogether = 4, kRings = 3;
-  const int most = patch.setting.options.untangle_rounds;
+  const SmoothOptions& options = patch.setting.options;
+  const int most = options.untangle_rounds;
   int round = 0;
-  if (soft_rounds(patch, round, std::min(kTogether, most)) || round == most) return round;
-  patch.boundary->find_feet(patch.x);
-  std::vector<double> quality;
-  patch.measure(snapped(patch), quality);
-  std::vector<char> stuck(mesh.hexes.size(), 0), may_move(mesh.points.size(), 0);
-  for (std::size_t i = 0; i < quality.size(); ++i) stuck[patch.elements[i]] = !(quality[i] > 0);
+  Standstill whole, standstill;
+  if (soft_rounds(patch, round, std::min(kTogether, most), whole)) return round;
+  std::vector<char> stuck(mesh.hexes.size()), may_move(mesh.points.size(), 0);
   for (std::size_t i = 0; i < patch.nodes.size(); ++i) may_move[patch.nodes[i]] = patch.free[i];
-  std::vector<char> near = points_near(mesh, kRings, [&](int h) { return stuck[h] != 0; });
-  for (std::size_t v = 0; v < near.size(); ++v) near[v] = near[v] && may_move[v];
-  const auto moves = [&](int h) { return std::any_of(mesh.hexes[h].begin(), mesh.hexes[h].end(), [&](int v) { return near[v] != 0; }); };
-  const auto moving = std::count_if(patch.elements.begin(), patch.elements.end(), moves);
-  if (2 * moving > static_cast<long>(patch.elements.size())) {
-    soft_rounds(patch, round, most);
-    return round;
+  std::vector<double> quality;
+  for (bool done = false; !done && round < most;) {
+    patch.boundary->find_feet(patch.x);
+    patch.measure(snapped(patch), quality);
+    std::fill(stuck.begin(), stuck.end(), 0);
+    for (std::size_t i = 0; i < quality.size(); ++i) stuck[patch.elements[i]] = !(quality[i] > 0);
+    std::vector<char> near = points_near(mesh, kRings, [&](int h) { return stuck[h] != 0; });
+    for (std::size_t v = 0; v < near.size(); ++v) near[v] = near[v] && may_move[v];
+    const auto moves = [&](int h) { return std::any_of(mesh.hexes[h].begin(), mesh.hexes[h].end(), [&](int v) { return near[v] != 0; }); };
+    const bool most_move = 2 * std::count_if(patch.elements.begin(), patch.elements.end(), moves) > static_cast<long>(quality.size());
+    if (most_move && !options.brief) {
+      soft_rounds(patch, round, most, standstill);
+      return round;
+    }
+    // Another patch looks closely at what has become bad; where most is poor that is soon something else.
+    patch.write_back(mesh);
+    Patch part(mesh, most_move ? may_move : near, patch.setting);
+    done = soft_rounds(part, round, options.brief ? std::min(round + kTogether, most) : most, standstill);
+    part.write_back(mesh);
+    patch.read(mesh);
   }
-  patch.write_back(mesh);
-  Patch part(mesh, near, patch.setting);
-  soft_rounds(part, round, most);
-  part.write_back(mesh);
-  patch.read(mesh);
   return round;
 }
 
@@ -133,13 +138,13 @@ void slide(Patch& patch) {
   terms.epsilon_squared = std::numeric_limits<double>::infinity();
   patch.boundary->find_feet(patch.x);
   patch.boundary->snap(patch.x);
+  if (patch.setting.options.brief && patch.grade().inverted == 0) return;
   Best best;
   best.offer(patch);
   std::vector<double> gradient(patch.x.size());
   Lbfgs descent(static_cast<int>(patch.x.size()), patch.workers);
   double drift = 0.3 * h;
-  // Untangling has found a minimum of nearly this energy.
-  int left = patch.setting.options.brief && patch.grade().inverted == 0 ? 0 : 200;
+  int left = 200;
   while (left > 0 && drift > 1e-3 * h) {
     lower_epsilon(terms, worst_determinant(patch, terms));
     const double before = patch.energy->evaluate(patch.x.data(), terms, gradient.data()).energy;

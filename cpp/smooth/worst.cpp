@@ -68,7 +68,7 @@ void lift_worst(HexComplex& mesh, SmoothSetting& setting) {
     setting.context.progress("smooth", 0.8 + 0.15 * k / sweeps);
     measure(mesh, setting.workers, quality);
     const double worst = *std::min_element(quality.begin(), quality.end());
-    const double limit = brief ? std::max(worst + 0.15, 0.3) : std::clamp(worst + 0.25, 0.5, 0.95);
+    const double limit = brief ? std::clamp(worst + 0.15, 0.3, 0.95) : std::clamp(worst + 0.25, 0.5, 0.95);
     if (!(worst > 0) || worst >= limit) return;
     Patch patch(mesh, points_near(mesh, 2, [&](int h) { return quality[h] < limit; }), setting);
     const double gain = sweep(patch,

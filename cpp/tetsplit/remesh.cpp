@@ -307,7 +307,7 @@ void Remesher::split_long(double factor, const LengthAt& length, Context& contex
     if (queue.empty()) return;
     std::sort(queue.begin(), queue.end(), [](const Ranked& x, const Ranked& y) { return y < x; });
     for (std::size_t i = 0; i < queue.size(); ++i) {
-      if (i % 256 == 0) context.check();
+      if (i % 32 == 0) context.check();  // a projection onto a spline takes its time
       if (edge_length(queue[i].h) > factor * wanted(queue[i].h)) split(queue[i].h, length);
     }
   }
@@ -364,7 +364,7 @@ void Remesher::remesh(const LengthAt& length, int rounds, Context& context) {
     flip_all(context);
     for (int sweep = 0; sweep < 2; ++sweep)
       for (int v = 0; v < static_cast<int>(points_.size()); ++v) {
-        if (v % 256 == 0) context.check();
+        if (v % 32 == 0) context.check();
         if (out_[v] >= 0) slide(v, length);
       }
     flip_all(context);
@@ -381,11 +381,11 @@ void Remesher::cut_ears(Context& context) {
     if (p.dot(q) < kStraight * p.norm() * q.norm()) cut.push_back(prev(h));
   }
   for (std::size_t i = 0; i < cut.size(); ++i) {
-    if (i % 256 == 0) context.check();
+    if (i % 32 == 0) context.check();
     split(cut[i], as_before);
   }
   for (int v = 0; v < static_cast<int>(points_.size()); ++v) {
-    if (v % 256 == 0) context.check();
+    if (v % 32 == 0) context.check();
     if (out_[v] >= 0 && place_[v].dim == 2) slide(v, as_before);
   }
 }

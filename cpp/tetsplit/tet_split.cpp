@@ -16,8 +16,6 @@
 namespace hexfeature {
 namespace {
 
-/// Edge length of a tetrahedron that becomes four hexahedra of volume h^3: about 0.1 of its cube is the volume of an average one.
-constexpr double kTetEdge = 3.2;
 /// CAD edges shorter than this many h may vanish; what is lost is less than any node's tolerance.
 constexpr double kTiny = 0.01;
 /// Tips of faces are cut where they are narrower than this many h: well within what a sharp edge may stray.
@@ -42,13 +40,13 @@ std::vector<Vec3> bad_places(const HexComplex& mesh, double limit, const Context
   return places;
 }
 
-FilledSurface fill(Remesher remesher, const SizeField& lengths, const TetSplitOptions& options, Context& context) {
+FilledSurface remesh_and_fill(Remesher remesher, const SizeField& lengths, const TetSplitOptions& options, Context& context) {
   FilledSurface filled;
   remesher.remesh([&](const Vec3& p) { return lengths.at(p); }, 6, context);
   remesher.cut_ears(context);
   filled.triangles = remesher.result(context, &filled.pinned);
   TetOptions filling;
-  filling.longest = kTetEdge * options.size;
+  filling.longest = SizeOptions().longest * options.size;
   filling.program = options.netgen;
   filled.tets = fill_with_tetrahedra(filled.triangles, filling, context);
   return filled;
@@ -60,15 +58,12 @@ TetSplitStart begin_tet_split(const SurfaceMesh& surface, const Geometry& geomet
   const double h = options.size;
   context.progress("tet-split", 0);
   SizeOptions sizes;
-  sizes.longest = kTetEdge * h;
-  sizes.least = 0.7 * h;
-  sizes.least_curve = 1.25 * h;
-  sizes.least_wall = 0.5 * h;
+  for (double* length : {&sizes.longest, &sizes.least, &sizes.least_curve, &sizes.least_wall}) *length *= h;
   Remesher whole(surface, geometry, kTiny * h);
   whole.refine([&](const Vec3&) { return h; }, context);
   TetSplitStart start{whole, SizeField(whole.result(context), geometry, sizes, context), {}, {}};
   try {
-    start.first = fill(std::move(whole), start.lengths, options, context);
+    start.first = remesh_and_fill(std::move(whole), start.lengths, options, context);
   } catch (const MeshingError& error) {
     if (error.kind != Failure::NoMesh) throw;
     start.failure = error;
@@ -93,7 +88,7 @@ HexComplex tet_split(TetSplitStart start, const Geometry& geometry, const TetSpl
   int work = 0;
   std::optional<MeshingError> failure;
   const auto there = [&] { return best && report.smoothing.inverted == 0; };
-  const auto filled = [&](int attempt) {
+  const auto fill_for = [&](int attempt) {
     if (attempt == 0 && start.failure) throw MeshingError(*start.failure);
     if (attempt == 0) return std::move(*start.first);
     const bool refining = attempt == 1 && best;
@@ -105,11 +100,11 @@ HexComplex tet_split(TetSplitStart start, const Geometry& geometry, const TetSpl
         context.log("tet-split: " + std::to_string(cut->cut_tips(kTipWidth * h, kTipLength * h, context)) + " tips cut");
       }
     }
-    return fill(cut ? *cut : start.surface, lengths, options, context);
+    return remesh_and_fill(cut ? *cut : start.surface, lengths, options, context);
   };
   const auto make = [&](int attempt) {
     context.progress("tet-split", static_cast<double>(attempt) / options.attempts);
-    auto [triangles, pinned, tets] = filled(attempt);
+    auto [triangles, pinned, tets] = fill_for(attempt);
     relieve_boundary(tets, triangles, context);
     HexComplex mesh = split_tetrahedra(tets, triangles, geometry, context);
     smoothing.held = pinned;

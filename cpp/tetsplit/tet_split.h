@@ -35,12 +35,13 @@ struct FilledSurface {
   TetMesh tets;
 };
 
-/// What the method begins with: it takes nothing from other methods, so that it may be made while one of these is at work.
+/// What the method begins with: it takes nothing from other methods, so that it may be made while one of these is at work. Looks at the
+/// geometry for as long as it lives: when it is used, that must be where it was. Either `first` or `failure` is there.
 struct TetSplitStart {
   Remesher surface;   ///< no edge much longer than h
   SizeField lengths;  ///< of the triangles' edges
   std::optional<FilledSurface> first;
-  std::optional<MeshingError> failure;  ///< why there is no `first` (NoMesh)
+  std::optional<MeshingError> failure;  ///< why it could not be filled (NoMesh)
 };
 
 /// Of one solid's surface mesh.

@@ -1,6 +1,8 @@
 // HexFeatureWB - LGPL-2.1-or-later
 #include "tetsplit/tets_ahead.h"
 
+#include <utility>
+
 namespace hexfeature {
 
 TetsAhead::TetsAhead(const SurfaceMesh& surface, const Geometry& geometry, const TetSplitOptions& options,
@@ -20,6 +22,10 @@ void TetsAhead::work(std::chrono::milliseconds patience) {
     start_ = begin_tet_split(surface_, geometry_, options_, context_);
   } catch (...) {  // left off; or what the run meets again when it comes there
   }
+  surface_ = {};
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ended_ = true;
+  wake_.notify_all();
 }
 
 void TetsAhead::leave_off() {
@@ -35,15 +41,20 @@ void TetsAhead::stop() {
   if (thread_.joinable()) thread_.join();
 }
 
-std::optional<TetSplitStart> TetsAhead::take() {
-  bool begun;
+std::optional<TetSplitStart> TetsAhead::take(Context& run) {
+  constexpr std::chrono::milliseconds kLook{20};
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    begun = begun_;
+    std::unique_lock<std::mutex> lock(mutex_);
+    while (begun_ && !ended_ && !wake_.wait_for(lock, kLook, [&] { return ended_; })) {
+      lock.unlock();
+      run.check();
+      lock.lock();
+    }
   }
-  if (!begun) leave_off();
-  if (thread_.joinable()) thread_.join();
-  return std::move(start_);
+  stop();
+  std::optional<TetSplitStart> start = std::exchange(start_, std::nullopt);
+  if (start && start->failure) start.reset();
+  return start;
 }
 
 }  // namespace hexfeature

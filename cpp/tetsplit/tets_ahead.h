@@ -16,8 +16,8 @@ namespace hexfeature {
 /// or not it was begun, and how far it got.
 class TetsAhead {
  public:
-  /// `surface` is copied; `geometry` must stay where it is until `stop`, `take` or the end. Throws std::system_error where there is no
-  /// thread to be had.
+  /// `surface` is copied; nothing may place the geometry anew before `stop`, `take` or the end. Throws std::system_error where there is
+  /// no thread to be had.
   TetsAhead(const SurfaceMesh& surface, const Geometry& geometry, const TetSplitOptions& options, std::chrono::milliseconds patience);
   ~TetsAhead() { stop(); }
   TetsAhead(const TetsAhead&) = delete;
@@ -27,8 +27,9 @@ class TetsAhead {
   void leave_off();
   /// The same; when it returns, nothing looks at the geometry any more.
   void stop();
-  /// The beginning, waited for if it is being made; none where it was not begun, left off, or failed in a way that the run will meet again.
-  std::optional<TetSplitStart> take();
+  /// The beginning with its tetrahedra, once; waited for if it is being made. None where it was not begun, left off or failed: alone it may
+  /// do better. Throws what Context::check throws of the run.
+  std::optional<TetSplitStart> take(Context& run);
 
  private:
   void work(std::chrono::milliseconds patience);
@@ -40,7 +41,7 @@ class TetsAhead {
   std::mutex mutex_;
   std::condition_variable wake_;
   std::atomic<bool> unwanted_{false};
-  bool begun_ = false;
+  bool begun_ = false, ended_ = false;
   std::optional<TetSplitStart> start_;
   std::thread thread_;
 };

@@ -4,7 +4,10 @@
 
 #include <chrono>
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <random>
+#include <thread>
 
 #include "mesh/hex_element.h"
 #include "quality/topology.h"
@@ -241,23 +244,52 @@ TEST_CASE("what is made ahead is what would be made later, and nothing is there 
   for (int wait = 1; !ahead && wait < 5000; wait *= 2) {  // until it has begun
     TetsAhead at_once(surface, model->geometry(), options, milliseconds(0));
     std::this_thread::sleep_for(milliseconds(wait));
-    ahead = at_once.take();
+    ahead = at_once.take(context);
   }
   REQUIRE(ahead);
   REQUIRE(ahead->first);
-  CHECK(ahead->first->tets.points == later.first->tets.points);
-  CHECK(ahead->first->tets.tets == later.first->tets.tets);
-  CHECK(ahead->first->triangles.triangles == later.first->triangles.triangles);
-  CHECK(ahead->first->pinned == later.first->pinned);
+  TetSplitReport report;
+  const HexComplex by_ahead = tet_split(std::move(*ahead), model->geometry(), options, context, report);
+  const HexComplex by_later = tet_split(later, model->geometry(), options, context, report);
+  CHECK(by_ahead.points == by_later.points);
+  CHECK(by_ahead.hexes == by_later.hexes);
 
   TetsAhead not_begun(surface, model->geometry(), options, hours(1));
-  CHECK(!not_begun.take());
+  CHECK(!not_begun.take(context));
 
-  options.size = 0.2;  // takes seconds
-  TetsAhead unwanted(surface_of(*model, 1), model->geometry(), options, milliseconds(0));
+  options.netgen = "/nowhere/hexfeature-netgen";
+  TetsAhead failing(surface, model->geometry(), options, milliseconds(0));
   std::this_thread::sleep_for(milliseconds(20));
-  unwanted.stop();
-  CHECK(!unwanted.take());
+  CHECK(!failing.take(context));
+}
+
+TEST_CASE("who waits for what is made ahead, or no longer wants it, is not kept waiting") {
+  using std::chrono::milliseconds;
+  const auto model = cad_shapes::model_of(cad_shapes::plate_with_hole());
+  TetSplitOptions options;
+  options.size = 0.1;  // takes many seconds
+  const SurfaceMesh surface = surface_of(*model, 0.5);
+  const auto begun = [&] {
+    auto ahead = std::make_unique<TetsAhead>(surface, model->geometry(), options, milliseconds(0));
+    std::this_thread::sleep_for(milliseconds(300));
+    return ahead;
+  };
+  const auto seconds_since = [](Context::Clock::time_point t) { return std::chrono::duration<double>(Context::Clock::now() - t).count(); };
+  constexpr double kSoon = 2;  // 0.2 s on a processor that nobody else uses
+  auto ahead = begun();
+  auto start = Context::Clock::now();
+  Context cancelled;
+  cancelled.is_cancelled = [&] { return seconds_since(start) > 0.1; };
+  CHECK_THROWS_AS(ahead->take(cancelled), MeshingError);
+  ahead.reset();
+  CHECK(seconds_since(start) < kSoon);
+
+  ahead = begun();
+  start = Context::Clock::now();
+  ahead->stop();
+  CHECK(seconds_since(start) < kSoon);
+  Context context;
+  CHECK(!ahead->take(context));
 }
 
 TEST_CASE("a surface that cannot be filled ahead is told by the method itself") {
