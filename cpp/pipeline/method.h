@@ -71,8 +71,8 @@ const std::vector<Method>& all_methods();
 
 Candidate mesh_by_feature_line(const SolidTask& task);
 Candidate mesh_by_tet_split(const SolidTask& task);
-/// Called by a method when the task has been placed: what tet-split will need begins on a thread of its own, in the first frame, should
-/// that method take long and tet-split come after it.
+/// For the method before it, when the task has been placed in the first frame: what tet-split begins with is made on another thread, if
+/// that method takes long.
 void begin_tets_ahead(const SolidTask& task);
 
 }  // namespace hexfeature

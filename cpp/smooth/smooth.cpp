@@ -97,6 +97,29 @@ Patch what_moves(const HexComplex& mesh, SmoothSetting& setting) {
   return Patch(mesh, points_near(mesh, kRings, is_new), setting);
 }
 
+/// Of an untangled mesh whose elements are poor by nature: onto the CAD, and sliding only where that leaves elements inverted. If it does
+/// not put all right then again with another patch, as long as that helps: which elements are looked at closely is found out when one is
+/// made.
+void slide_inverted(HexComplex& mesh, SmoothSetting& setting, Patch& untangled) {
+  constexpr int kLooks = 2;
+  untangled.boundary->find_feet(untangled.x);
+  untangled.boundary->snap(untangled.x);
+  Grade best = untangled.grade();
+  if (best.inverted > 0) {
+    slide(untangled);
+    best = untangled.grade();
+  }
+  untangled.write_back(mesh);
+  for (int look = 0; look < kLooks && best.inverted > 0; ++look) {
+    Patch closer = what_moves(mesh, setting);
+    slide(closer);
+    const Grade now = closer.grade();
+    if (now.inverted > best.inverted || (now.inverted == best.inverted && now.min_sj <= best.min_sj)) return;
+    closer.write_back(mesh);
+    best = now;
+  }
+}
+
 /// Boundary points exactly onto the CAD: where a projection is not its own foot to the last digits, a few times over.
 /// Returns the largest distance left.
 double settle(HexComplex& mesh, SmoothSetting& setting) {
@@ -158,14 +181,11 @@ SmoothReport smooth(HexComplex& mesh, const Projector& projector, const SmoothOp
   const bool perfect = before.min_sj > 0.999 && report.deviation < 1e-9 * options.size;
   if (!perfect) {
     report.rounds = untangle_softly(mesh, all);
-    slide(all);
-    all.write_back(mesh);
-    // What has become bad since the patch was made was not looked at closely.
-    for (int look = 0; options.brief && look < 2 && all.grade().inverted > 0; ++look) {
-      Patch closer = what_moves(mesh, setting);
-      slide(closer);
-      closer.write_back(mesh);
-      all.read(mesh);
+    if (options.brief) {
+      slide_inverted(mesh, setting, all);
+    } else {
+      slide(all);
+      all.write_back(mesh);
     }
     if (options.worst_stage) {
       lift_worst(mesh, setting);

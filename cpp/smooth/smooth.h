@@ -15,7 +15,8 @@ struct SmoothOptions {
   bool worst_stage = true;     ///< the stage that lifts the worst element
   int threads = 2;             ///< results do not depend on it, bit for bit
   double least_target = 0.25;  ///< elements want to be no smaller than this many h
-  /// Where most elements are poor by nature: slide only if some are inverted, lift the mass of them only a little.
+  /// Where most elements are poor by nature: untangling looks anew for bad ones time and again, points slide only if some stay inverted,
+  /// and the mass of the elements is lifted only a little.
   bool brief = false;
   std::vector<int> held;  ///< points that stay where they are; they must lie on their CAD entity already
   /// Of a smoothed mesh only these points are new: untangling and sliding move what is near them, the stages after that bad elements

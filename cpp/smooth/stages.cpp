@@ -121,7 +121,7 @@ int untangle_softly(HexComplex& mesh, Patch& patch) {
       soft_rounds(patch, round, most, standstill);
       return round;
     }
-    // Another patch looks closely at what has become bad; where most is poor that is soon something else.
+    // Only what is stuck moves. Where most is poor something else is soon bad: then another patch each time, that looks closely at it.
     patch.write_back(mesh);
     Patch part(mesh, most_move ? may_move : near, patch.setting);
     done = soft_rounds(part, round, options.brief ? std::min(round + kTogether, most) : most, standstill);
@@ -138,7 +138,6 @@ void slide(Patch& patch) {
   terms.epsilon_squared = std::numeric_limits<double>::infinity();
   patch.boundary->find_feet(patch.x);
   patch.boundary->snap(patch.x);
-  if (patch.setting.options.brief && patch.grade().inverted == 0) return;
   Best best;
   best.offer(patch);
   std::vector<double> gradient(patch.x.size());

@@ -324,7 +324,7 @@ void Remesher::collapse_short(Context& context) {
   context.check();
   std::sort(queue.begin(), queue.end());
   for (std::size_t i = 0; i < queue.size(); ++i) {
-    if (i % 256 == 0) context.check();
+    if (i % 32 == 0) context.check();
     const int h = queue[i].h;
     if (alive(h / 3) && may_vanish(h) && (edge_length(h) < kShort * wanted(h) || place_[from(h)].dim == 0)) collapse(h);
   }

@@ -27,8 +27,8 @@ class TetsAhead {
   void leave_off();
   /// The same; when it returns, nothing looks at the geometry any more.
   void stop();
-  /// The beginning with its tetrahedra, once; waited for if it is being made. None where it was not begun, left off or failed: alone it may
-  /// do better. Throws what Context::check throws of the run.
+  /// The beginning with its tetrahedra, once; waited for if it is being made. None where it was not begun, not ended when it was left off,
+  /// or failed: alone it may do better. The geometry must be placed as it was. Throws what Context::check throws of the run.
   std::optional<TetSplitStart> take(Context& run);
 
  private:

@@ -3,9 +3,15 @@
 #include <doctest/doctest.h>
 
 #include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <thread>
 
 #include "pipeline/solid.h"
 #include "pipeline_fixtures.h"
+#include "tetsplit/tets_ahead.h"
 
 using namespace hexfeature;
 using namespace fixtures;
@@ -195,4 +201,63 @@ TEST_CASE("what may better one solid leaves time for those to come") {
   CHECK(minutes[0] == doctest::Approx(15).epsilon(0.01));
   CHECK(minutes[1] == doctest::Approx(15).epsilon(0.01));
   CHECK(minutes[2] == doctest::Approx(30).epsilon(0.01));
+}
+
+namespace {
+
+/// A box of 4 x 3 x 2, read from an STL file.
+std::unique_ptr<Part> box_part(Context& context) {
+  const std::filesystem::path path = std::filesystem::temp_directory_path() / "hexfeature_driver_box.stl";
+  {
+    std::ofstream file(path);
+    file << "solid box\n";
+    constexpr int kSides[6][4] = {{0, 2, 6, 4}, {1, 5, 7, 3}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 6, 7, 5}};
+    for (const auto& side : kSides)
+      for (int k : {1, 2}) {
+        file << "facet normal 0 0 0\nouter loop\n";
+        for (int corner : {side[0], side[k], side[k + 1]})
+          file << "vertex " << 4 * (corner & 1) << ' ' << 3 * (corner >> 1 & 1) << ' ' << 2 * (corner >> 2) << '\n';
+        file << "endloop\nendfacet\n";
+      }
+    file << "endsolid box\n";
+  }
+  std::unique_ptr<Part> part = read_part(path.string(), {}, context);
+  std::filesystem::remove(path);
+  return part;
+}
+
+}  // namespace
+
+TEST_CASE("tetrahedra made ahead give tet-split's own mesh, in whatever frames the method before it was") {
+  Context context;
+  const std::unique_ptr<Part> part = box_part(context);
+  Mat3 turned;
+  turned << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  const std::vector<Mat3> frames{Mat3::Identity(), turned};
+  int seen = 0;  // begun ahead when the first method gave up
+  const auto mesh_with = [&](const std::string& chosen, int last_frame) {
+    const Method slow{"feature-line", [&](const SolidTask& task) -> Candidate {
+                        task.place(0);
+                        begin_tets_ahead(task);
+                        seen += task.run.tets_ahead != nullptr;
+                        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+                        task.place(last_frame);
+                        throw MeshingError(Failure::NoMesh, "labels", "in vain");
+                      }};
+    Options options;
+    options.method = chosen;
+    options.size = 1;
+    Result result;
+    Run run(options, context, result);
+    return mesh_solid(*part, 1, frames, run, {slow, {"tet-split", mesh_by_tet_split}});
+  };
+  const HexComplex alone = mesh_with("tet-split", 0);
+  CHECK(seen == 0);
+  REQUIRE(alone.hex_count() > 0);
+  for (int frame : {0, 1}) {
+    const HexComplex mesh = mesh_with("auto", frame);
+    CHECK(seen == frame + 1);
+    CHECK(mesh.points == alone.points);
+    CHECK(mesh.hexes == alone.hexes);
+  }
 }

@@ -259,7 +259,7 @@ TEST_CASE("what is made ahead is what would be made later, and nothing is there 
 
   options.netgen = "/nowhere/hexfeature-netgen";
   TetsAhead failing(surface, model->geometry(), options, milliseconds(0));
-  std::this_thread::sleep_for(milliseconds(20));
+  std::this_thread::sleep_for(milliseconds(300));  // until it has failed
   CHECK(!failing.take(context));
 }
 
@@ -280,9 +280,19 @@ TEST_CASE("who waits for what is made ahead, or no longer wants it, is not kept 
   auto start = Context::Clock::now();
   Context cancelled;
   cancelled.is_cancelled = [&] { return seconds_since(start) > 0.1; };
-  CHECK_THROWS_AS(ahead->take(cancelled), MeshingError);
+  try {
+    ahead->take(cancelled);
+    CHECK(false);
+  } catch (const MeshingError& error) {
+    CHECK(error.kind == Failure::Cancelled);
+  }
   ahead.reset();
   CHECK(seconds_since(start) < kSoon);
+  ahead = begun();
+  start = Context::Clock::now();
+  Context late;
+  late.deadline = start;
+  CHECK_THROWS_AS(ahead->take(late), TimeLimit);
 
   ahead = begun();
   start = Context::Clock::now();
