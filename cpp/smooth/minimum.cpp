@@ -18,26 +18,25 @@ constexpr std::array<double, 5> kPowers{12, 24, 48, 96, 192};
 constexpr double kPatience = 24;  ///< power by which the least one must have risen, or a raise that is not patient ends
 
 using Corners = Eigen::Matrix<double, 3, 8>;
-using Frame = Eigen::Matrix<double, 8, 3>;  ///< corners * frame: the three edges at a corner, or the axes at the centre
-constexpr int kFrames = 9;
+constexpr int kFrames = 9;  ///< the three edges at each corner, and the axes at the centre
 
-const std::array<Frame, kFrames>& frames() {
-  static const std::array<Frame, kFrames> table = [] {
-    std::array<Frame, kFrames> all;
-    for (int k = 0; k < 8; ++k) {
-      all[k].setZero();
-      for (int i = 0; i < 3; ++i) {
-        all[k](kHexCorners[k][i + 1], i) = 1;
-        all[k](k, i) = -1;
-      }
-    }
-    // The edges from corner 0 and those parallel to them, mean.
+/// The axes at the centre: the edges from corner 0 and those parallel to them, mean. Each corner's share of the three.
+const Eigen::Matrix<double, 8, 3>& centre_shares() {
+  static const Eigen::Matrix<double, 8, 3> shares = [] {
     constexpr std::array<std::array<int, 8>, 3> kEnd{{{0, 1, 1, 0, 0, 1, 1, 0}, {0, 0, 1, 1, 0, 0, 1, 1}, {0, 0, 0, 0, 1, 1, 1, 1}}};
+    Eigen::Matrix<double, 8, 3> all;
     for (int i = 0; i < 3; ++i)
-      for (int c = 0; c < 8; ++c) all[8](c, i) = kEnd[i][c] ? 0.25 : -0.25;
+      for (int c = 0; c < 8; ++c) all(c, i) = kEnd[i][c] ? 0.25 : -0.25;
     return all;
   }();
-  return table;
+  return shares;
+}
+
+Mat3 axes_of(const Corners& corners, int frame) {
+  if (frame == 8) return corners * centre_shares();
+  Mat3 axes;
+  for (int i = 0; i < 3; ++i) axes.col(i) = corners.col(kHexCorners[frame][i + 1]) - corners.col(frame);
+  return axes;
 }
 
 double lengths_product(const Mat3& axes) {
@@ -73,7 +72,7 @@ class LeastScaledJacobian : public Objective {
     for (std::size_t h = 0; h < patch_.hexes.size(); ++h) {
       const Corners corners = corners_of(x, h);
       for (int k = 0; k < kFrames; ++k) {
-        const Mat3 axes = corners * frames()[k];
+        const Mat3 axes = axes_of(corners, k);
         const double s = axes.determinant() / lengths_product(axes);
         if (!(s > 0)) return kInfinite;
         value_[kFrames * h + k] = s;
@@ -97,13 +96,20 @@ class LeastScaledJacobian : public Objective {
       for (int k = 0; k < kFrames; ++k) {
         const double weight = value_[kFrames * h + k] / sum;
         if (weight < 1e-9) continue;
-        const Mat3 axes = corners * frames()[k];
+        const Mat3 axes = axes_of(corners, k);
         const double lengths = lengths_product(axes), s = axes.determinant() / lengths;
         Mat3 slope;  // of s by the axes
         for (int i = 0; i < 3; ++i)
           slope.col(i) = axes.col((i + 1) % 3).cross(axes.col((i + 2) % 3)) / lengths - s / axes.col(i).squaredNorm() * axes.col(i);
-        const Corners by_corner = -weight * slope * frames()[k].transpose();
-        for (int c = 0; c < 8; ++c) add(gradient, patch_.hexes[h][c], by_corner.col(c));
+        slope *= -weight;
+        const auto& hex = patch_.hexes[h];
+        if (k == 8) {
+          const Corners by_corner = slope * centre_shares().transpose();
+          for (int c = 0; c < 8; ++c) add(gradient, hex[c], by_corner.col(c));
+        } else {
+          for (int i = 0; i < 3; ++i) add(gradient, hex[kHexCorners[k][i + 1]], slope.col(i));
+          add(gradient, hex[k], slope * Vec3::Constant(-1));
+        }
       }
     }
     for (std::size_t v = 0; v < patch_.nodes.size(); ++v)
