@@ -1253,6 +1253,10 @@ skalierte Jacobi-Zahl: schlechteste %(worst)s, mittlere %(mean)s</translation>
       <translation>allein seine Oberfläche bräuchte mehr als 20 Millionen Dreiecke</translation>
     </message>
     <message>
+      <source>its tetrahedra were made ahead</source>
+      <translation>seine Tetraeder wurden im Voraus gemacht</translation>
+    </message>
+    <message>
       <source>labeller: on CAD regions, or the paper's on triangles</source>
       <translation>Richtungen: auf CAD-Gebieten oder, wie in der Veröffentlichung, auf Dreiecken</translation>
     </message>

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/fingerprint.h"
+
 namespace hexfeature {
 namespace {
 
@@ -44,9 +46,10 @@ bool is_clean(const LabelState& before, const LabelState& after) {
 }
 
 std::uint64_t hash_of(const LabelState& s) {
-  std::uint64_t h = 1469598103934665603ull ^ static_cast<std::uint64_t>(s.cutting);
-  for (Label l : s.labels) h = (h ^ static_cast<std::uint64_t>(l)) * 1099511628211ull;
-  return h ^ h >> 29;
+  Fingerprint print;
+  print.take(static_cast<std::uint64_t>(s.cutting));
+  for (Label l : s.labels) print.take(static_cast<std::uint64_t>(l));
+  return print.value();
 }
 
 }  // namespace

@@ -52,7 +52,10 @@ Candidate mesh_by_tet_split(const SolidTask& task) {
     const Geometry geometry = task.part.geometry();
     std::optional<TetSplitStart> begun;
     if (run.tets_ahead) begun = run.tets_ahead->take(run.context);
-    if (!begun) begun = begin_tet_split(run.result.surface, geometry, options, run.context);
+    if (begun)
+      run.context.log("tet-split: its tetrahedra were made ahead");
+    else
+      begun = begin_tet_split(run.result.surface, geometry, options, run.context);
     TetSplitReport report;
     Candidate candidate;
     candidate.method = attempt.method;

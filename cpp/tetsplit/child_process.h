@@ -14,8 +14,7 @@ struct ChildResult {
 };
 
 /// Run a program: `input` to its standard input, its standard output back. Asks the context twenty times a second and kills the
-/// program when that throws. The program gets no other open file. One may ask to be killed when the
-/// thread that started it ends: call this from a thread that outlives it.
+/// program when that throws. The program gets no other open file. It may ask to be killed when the thread that started it ends (Linux).
 ChildResult run_child(const std::string& program, const std::vector<char>& input, Context& context);
 
 /// Path of a program in the folder of the library (or executable) that this code is in.

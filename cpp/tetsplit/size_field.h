@@ -9,8 +9,8 @@
 
 namespace hexfeature {
 
-/// Lengths are for elements of size h = 1. An edge of a tetrahedron that becomes four hexahedra of volume h^3 is `longest`: about 0.1 of
-/// its cube is the volume of an average one.
+/// The defaults of lengths are those for elements of size h = 1. An edge of a tetrahedron that becomes four hexahedra of volume h^3 is
+/// `longest`: about 0.1 of its cube is the volume of an average one.
 struct SizeOptions {
   double longest = 3.2;       ///< triangle edge length where nothing asks for less
   double least = 0.7;         ///< narrow faces and short edges ask for no less than this

@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <chrono>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -234,13 +233,14 @@ TEST_CASE("tetrahedra made ahead give tet-split's own mesh, in whatever frames t
   Mat3 turned;
   turned << 0, -1, 0, 1, 0, 0, 0, 0, 1;
   const std::vector<Mat3> frames{Mat3::Identity(), turned};
-  int seen = 0;  // begun ahead when the first method gave up
+  int seen = 0, taken = 0;  // begun when the first method gave up; used by tet-split
+  context.on_log = [&](const std::string& line) { taken += line.find("made ahead") != std::string::npos; };
   const auto mesh_with = [&](const std::string& chosen, int last_frame) {
     const Method slow{"feature-line", [&](const SolidTask& task) -> Candidate {
                         task.place(0);
                         begin_tets_ahead(task);
                         seen += task.run.tets_ahead != nullptr;
-                        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+                        std::this_thread::sleep_for(std::chrono::milliseconds(800));
                         task.place(last_frame);
                         throw MeshingError(Failure::NoMesh, "labels", "in vain");
                       }};
@@ -253,10 +253,12 @@ TEST_CASE("tetrahedra made ahead give tet-split's own mesh, in whatever frames t
   };
   const HexComplex alone = mesh_with("tet-split", 0);
   CHECK(seen == 0);
+  CHECK(taken == 0);
   REQUIRE(alone.hex_count() > 0);
   for (int frame : {0, 1}) {
     const HexComplex mesh = mesh_with("auto", frame);
     CHECK(seen == frame + 1);
+    CHECK(taken == seen);  // made when the frame changed, if not long before
     CHECK(mesh.points == alone.points);
     CHECK(mesh.hexes == alone.hexes);
   }
